@@ -1,0 +1,30 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/commands.h"
+
+namespace posecoach {
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App cli("Virtual Pose Coach: your coach's motion in your own body", "posecoach");
+  Action action;
+  cli.require_subcommand(0, 1);
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? 0 : 2;
+  }
+  if (!action) return 0;
+  const Result<void> done = action();
+  if (done) return 0;
+  std::fprintf(stderr, "posecoach: %s\n", done.error().message.c_str());
+  return 1;
+}
+
+}  // namespace
+}  // namespace posecoach
+
+int main(int argc, char** argv) {
+  return posecoach::run(argc, argv);
+}

@@ -1,0 +1,98 @@
+// The answer: everything that comparing a student's motion with the coach's (already in the student's own
+// body) has to say. Plain values; `to_json` writes the "posecoach.analysis/1" contract, ui/report draws it.
+// Frames count the motions as given: student frame = frame of the film, coach frame = frame of the coach's
+// motion.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/base/time.h"
+#include "core/body/mirror.h"
+
+namespace posecoach {
+
+struct Score {
+  double raw = 0;  // the paper's §3.4: summed joint position error along the DTW path; lower is better
+  double mean_joint_error_m = 0;  // the same per path step and joint
+  double percent = 100;           // 0 to 100; formula in docs/SCORE.md
+};
+
+struct JointError {
+  std::string joint;  // canonical name, "left_elbow"
+  double mean_m = 0;  // confidence-weighted mean distance along the path
+  double max_m = 0;
+};
+
+struct SwingEvent {
+  std::string name;  // "address", "takeaway", "top", "impact", "finish", ...
+  int frame = 0;
+  double time_s = 0;  // sub-frame
+};
+
+struct TimingAdvice {
+  std::string from, to;  // events
+  double coach_s = 0, student_s = 0;
+  double ratio = 1;  // student_s / coach_s
+  std::string advice;
+};
+
+struct SpatialAdvice {
+  std::string joint, event;
+  int student_frame = 0, coach_frame = 0;
+  Vec3 offset_m;  // student minus coach, in the coach's facing: +X his left, +Y up, +Z his front
+  double distance_m = 0;
+  std::string advice;
+};
+
+struct Metric {
+  std::string name;
+  double value = 0, plus_minus = 0;
+  std::string unit;  // "", "deg", "cm", "s", "%"
+  bool available = false;
+  std::string reason;  // why not available
+};
+
+enum class AdviceKind { Timing, Spatial, None };
+
+struct Advice {
+  AdviceKind kind = AdviceKind::None;
+  std::string text;
+  int student_frame = 0, coach_frame = 0;
+};
+
+// A frame pair worth looking at, worst first.
+struct FramePair {
+  int student_frame = 0, coach_frame = 0;
+  double mean_error_m = 0;
+};
+
+struct MotionSummary {
+  std::string source;
+  int frames = 0;
+  double seconds = 0;
+  int joints = 0;
+  std::optional<Handedness> hand;  // the student's
+};
+
+struct Analysis {
+  MotionSummary coach, student;
+  std::string retarget_method;
+  double bone_length_error_max = 0;
+  Score score;
+  std::vector<std::pair<int, int>> path;  // (student frame, coach frame), both never decreasing
+  std::vector<double> path_error_m;       // mean joint error of each path step
+  std::vector<JointError> joint_errors;   // worst first
+  std::vector<FramePair> worst_frames;    // at most 5, apart from each other in time
+  std::vector<SwingEvent> student_events, coach_events;
+  std::vector<TimingAdvice> timing;
+  std::vector<SpatialAdvice> spatial;
+  std::vector<Metric> metrics;
+  std::vector<Advice> advice;      // what matters most first; 1 to 3
+  std::vector<std::string> notes;  // quality remarks: view, frame rate, grip out of reach, ...
+};
+
+}  // namespace posecoach

@@ -1,0 +1,50 @@
+// A coach's motion in another body: same poses, the other's bone lengths, the root's path scaled to the
+// other's legs.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/motion/motion.h"
+
+namespace posecoach {
+
+// rotation:  each bone's turn away from the coach's own T-pose, from the file's rotations or recovered from
+// positions
+//            (Kabsch at joints with several children, swing elsewhere), applied to the student's T-pose.
+// direction: the coach's bone directions with the student's lengths.
+// scale:     the coach's joint positions times the ratio of heights (breaks the student's proportions: a
+// baseline).
+enum class RetargetMethod { Rotation, Direction, Scale };
+inline constexpr RetargetMethod kDefaultRetargetMethod = RetargetMethod::Rotation;
+
+std::string_view to_string(RetargetMethod method);
+Result<RetargetMethod> retarget_method_from_string(std::string_view name);
+
+enum class Contacts { Off, On };
+
+struct RetargetOptions {
+  RetargetMethod method = kDefaultRetargetMethod;
+  Contacts contacts = Contacts::Off;
+};
+
+// What the constraint layer did; zeros with Contacts::Off or where the coach holds nothing.
+struct ContactReport {
+  int grip_frames = 0;             // frames in which the coach's hands hold the club
+  double grip_error_p95_m = 0;     // of the wrists' relation, after the constraint, in frames within reach
+  double reach_deficit_max_m = 0;  // how far the arms were too short, worst frame
+  std::vector<int> unreachable_frames;
+};
+
+struct RetargetResult {
+  Motion motion;                     // on the body's own skeleton, with the coach's times; has rotations
+  double bone_length_error_max = 0;  // relative
+  ContactReport contacts;
+};
+
+// Errors: Incomplete naming the joints that either skeleton lacks.
+Result<RetargetResult> retarget(const Motion& coach, const Skeleton& body,
+                                const RetargetOptions& options = {});
+
+}  // namespace posecoach
