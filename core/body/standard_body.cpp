@@ -42,9 +42,9 @@ Skeleton make_standard_body(const BodyProportions& p) {
   add(Spine, Pelvis, {0, torso * 0.22, 0});
   add(SpineMiddle, Spine, {0, torso * 0.26, 0});
   add(Chest, SpineMiddle, {0, torso * 0.28, 0});
-  add(Neck, Chest, {0, torso * 0.28, 0});
+  add(Neck, Chest, {0, torso * 0.24, 0});
   add(Head, Neck, {0, 0.055 * h, 0.01 * h});
-  add(HeadTop, Head, {0, 0.115 * h, 0});
+  add(HeadTop, Head, {0, 0.107 * h, 0});
   for (const double side : {1.0, -1.0}) {
     const bool left = side > 0;
     const HumanoidJoint clavicle = left ? LeftClavicle : RightClavicle,
