@@ -1,13 +1,12 @@
 #include "core/motion/bundled_motion.h"
 
+#include "core/base/embedded.h"
 #include "core/body/standard_body.h"
 
 namespace posecoach {
 
-namespace assets {
-std::string_view swing_motion();
-std::string_view putt_motion();
-}  // namespace assets
+POSECOACH_EMBEDDED(swing_motion)
+POSECOACH_EMBEDDED(putt_motion)
 
 const std::vector<std::string>& bundled_motion_names() {
   static const std::vector<std::string> kNames = {"swing", "putt"};
@@ -15,8 +14,8 @@ const std::vector<std::string>& bundled_motion_names() {
 }
 
 Result<GolfScript> bundled_script(std::string_view name) {
-  if (name == "swing") return GolfScript::parse(assets::swing_motion(), "bundled:swing");
-  if (name == "putt") return GolfScript::parse(assets::putt_motion(), "bundled:putt");
+  if (name == "swing") return GolfScript::parse(swing_motion(), "bundled:swing");
+  if (name == "putt") return GolfScript::parse(putt_motion(), "bundled:putt");
   return fail(ErrorCode::NotFound,
               "there is no bundled motion \"" + std::string(name) + "\": use bundled:swing or bundled:putt");
 }

@@ -14,10 +14,11 @@ double AuthoredMotion::time_of(std::string_view event) const {
   return found->time_s;
 }
 
-Result<AuthoredMotion> make_authored_motion(const GolfScript& script, const Skeleton& body, double frames_per_second,
-                                            Handedness hand) {
+Result<AuthoredMotion> make_authored_motion(const GolfScript& script, const Skeleton& body,
+                                            double frames_per_second, Handedness hand) {
   if (!(frames_per_second > 0 && frames_per_second <= 1000))
-    return fail(ErrorCode::InvalidArgument, "the frame rate must be above 0 and at most 1000 frames per second");
+    return fail(ErrorCode::InvalidArgument,
+                "the frame rate must be above 0 and at most 1000 frames per second");
   const bool left_handed = hand == Handedness::Left;
   // A left-hander is the right-hander in the mirror: pose the mirrored body, then mirror the motion back.
   const Result<GolferPoser> poser = GolferPoser::make(left_handed ? mirrored(body) : body, script);
@@ -43,7 +44,8 @@ Result<AuthoredMotion> make_authored_motion(const GolfScript& script, const Skel
   if (!motion) return tl::unexpected(motion.error());
 
   AuthoredMotion authored{*std::move(motion), std::move(club), {}, poser->ball(), deficit_m};
-  for (const GolfInstant& instant : script.instants()) authored.events.push_back({instant.name, instant.time_s});
+  for (const GolfInstant& instant : script.instants())
+    authored.events.push_back({instant.name, instant.time_s});
   if (left_handed) {
     authored.motion = mirrored(authored.motion);
     for (ClubPose& pose : authored.club)

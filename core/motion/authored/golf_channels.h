@@ -1,10 +1,11 @@
 // What an authored golf motion says about the body at an instant: numbers that a golf coach would use, for a
-// right-hander (lead = left). World frame: target at +X, ball at +Z, up +Y. Mirror the result for left-handers.
+// right-hander (lead = left). World frame: target at +X, ball at +Z, up +Y. Mirror the result for
+// left-handers.
 //
-// Turns are about the segment's own long axis, positive when it opens to the target. `bend` and `side` say where
-// that axis points: forward towards the ball, and sideways away from the target. Hands and club swing in planes
-// through the target line, inclined by `plane` degrees (90 is upright): angle 0 points down to the ball, -90 away
-// from the target, -180 up the plane, -270 to the target; positive the other way round.
+// Turns are about the segment's own long axis, positive when it opens to the target. `bend` and `side` say
+// where that axis points: forward towards the ball, and sideways away from the target. Hands and club swing
+// in planes through the target line, inclined by `plane` degrees (90 is upright): angle 0 points down to the
+// ball, -90 away from the target, -180 up the plane, -270 to the target; positive the other way round.
 #pragma once
 
 #include <array>
@@ -33,7 +34,7 @@ enum class GolfChannel : unsigned char {
   TrailShoulderUp,
   HandsAngle,  // of the line from between the shoulders to the grip
   HandsPlane,
-  LeadElbow,   // degrees of bend that the arm keeps at least; the straighter arm carries the grip
+  LeadElbow,  // degrees of bend that the arm keeps at least; the straighter arm carries the grip
   TrailElbow,
   LeadElbowOut,  // where the elbow points, in the chest's axes: away from the middle, down, back
   LeadElbowDown,
@@ -43,8 +44,8 @@ enum class GolfChannel : unsigned char {
   TrailElbowBack,
   ClubAngle,  // of the shaft, from the grip to the head
   ClubPlane,
-  ClubRoll,   // of the shaft about itself with the forearms; negative opens the face
-  BallAim,    // 0 to 1: how much the shaft is turned so that the head stands at the ball
+  ClubRoll,     // of the shaft about itself with the forearms; negative opens the face
+  BallAim,      // 0 to 1: how much the shaft is turned so that the head stands at the ball
   LeadKneeYaw,  // where the knee points on the ground; 0 is forward, positive to the target
   TrailKneeYaw,
   TrailHeelLift,  // degrees of the foot about the ball of the toes

@@ -67,14 +67,15 @@ Result<GolfScript> GolfScript::parse(std::string_view json, std::string_view nam
   };
   try {
     const auto root = nlohmann::json::parse(json);
-    if (root.at("schema") != "posecoach.golf_motion/1") return malformed("the schema is not posecoach.golf_motion/1");
+    if (root.at("schema") != "posecoach.golf_motion/1")
+      return malformed("the schema is not posecoach.golf_motion/1");
     GolfScript script;
     script.name_ = root.at("name");
     const auto& club = root.at("club");
     script.club_ = {club.at("head"), club.at("grip_to_head_m"), club.at("grip_to_butt_m")};
     const auto& stance = root.at("stance");
-    script.stance_ = {stance.at("width_of_shoulders"), stance.at("lead_flare_deg"), stance.at("trail_flare_deg"),
-                      stance.at("knee_flex_deg"), stance.at("hips_back_cm")};
+    script.stance_ = {stance.at("width_of_shoulders"), stance.at("lead_flare_deg"),
+                      stance.at("trail_flare_deg"), stance.at("knee_flex_deg"), stance.at("hips_back_cm")};
     for (const auto& instant : root.at("instants")) {
       script.instants_.push_back({instant.at("name"), instant.at("time_s")});
       const std::size_t count = script.instants_.size();

@@ -1,5 +1,5 @@
-// An authored golf motion before it has a body: named instants, and golf numbers keyed at them. Faults change a
-// script; a GolferPoser turns it into a body's pose.
+// An authored golf motion before it has a body: named instants, and golf numbers keyed at them. Faults change
+// a script; a GolferPoser turns it into a body's pose.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct GolfInstant {
 
 // Physical sizes: the club is the same for every body.
 struct GolfClub {
-  std::string head;            // "iron" or "putter"
-  double grip_to_head_m = 0;   // from the point between the hands to the head's middle
+  std::string head;           // "iron" or "putter"
+  double grip_to_head_m = 0;  // from the point between the hands to the head's middle
   double grip_to_butt_m = 0;
 };
 
@@ -31,8 +31,8 @@ struct GolfStance {
   double width_of_shoulders = 1;  // ankle distance over shoulder distance
   double lead_flare_deg = 0;      // toes outwards
   double trail_flare_deg = 0;
-  double knee_flex_deg = 0;       // at address
-  double hips_back_cm = 0;        // middle of the hips behind the ankles at address, for a stature of 1.80 m
+  double knee_flex_deg = 0;  // at address
+  double hips_back_cm = 0;   // middle of the hips behind the ankles at address, for a stature of 1.80 m
 };
 
 class GolfScript {

@@ -53,10 +53,11 @@ double Limb::reach(double flexion) const {
 
 Result<GolferBody> GolferBody::make(const Skeleton& skeleton) {
   std::string missing;
-  for (const HumanoidJoint role : {Pelvis, LeftShoulder, LeftElbow, LeftWrist, RightShoulder, RightElbow, RightWrist,
-                                   LeftHip, LeftKnee, LeftAnkle, RightHip, RightKnee, RightAnkle})
+  for (const HumanoidJoint role : {Pelvis, LeftShoulder, LeftElbow, LeftWrist, RightShoulder, RightElbow,
+                                   RightWrist, LeftHip, LeftKnee, LeftAnkle, RightHip, RightKnee, RightAnkle})
     if (!skeleton.has(role)) missing += (missing.empty() ? "" : ", ") + std::string(to_string(role));
-  if (!missing.empty()) return fail(ErrorCode::Incomplete, "this body cannot swing a club: it has no " + missing);
+  if (!missing.empty())
+    return fail(ErrorCode::Incomplete, "this body cannot swing a club: it has no " + missing);
 
   GolferBody body{.skeleton = skeleton};
   body.pelvis = skeleton.find(Pelvis);
@@ -66,7 +67,8 @@ Result<GolferBody> GolferBody::make(const Skeleton& skeleton) {
     body.chest = skeleton.joint(body.chest).parent;
   body.back = body.chest == kNoJoint ? std::vector<int>{} : chain(skeleton, body.pelvis, body.chest);
   if (body.back.empty())
-    return fail(ErrorCode::Incomplete, "this body cannot swing a club: it has no back between pelvis and shoulders");
+    return fail(ErrorCode::Incomplete,
+                "this body cannot swing a club: it has no back between pelvis and shoulders");
   if (skeleton.has(Head)) body.neck = chain(skeleton, body.chest, skeleton.find(Head));
 
   body.arms = {make_limb(skeleton, {LeftShoulder, LeftElbow, LeftWrist}, {0, 0, -1}),
@@ -75,8 +77,8 @@ Result<GolferBody> GolferBody::make(const Skeleton& skeleton) {
                make_limb(skeleton, {RightHip, RightKnee, RightAnkle}, {0, 0, 1})};
   for (const Limb* limb : {&body.arms[0], &body.arms[1], &body.legs[0], &body.legs[1]})
     if (limb->upper_length < 1e-6 || limb->lower_length < 1e-6)
-      return fail(ErrorCode::Incomplete,
-                  "this body cannot swing a club: " + skeleton.joint(limb->middle).name + " has a bone of no length");
+      return fail(ErrorCode::Incomplete, "this body cannot swing a club: " +
+                                             skeleton.joint(limb->middle).name + " has a bone of no length");
   body.clavicles = {skeleton.find(LeftClavicle), skeleton.find(RightClavicle)};
   body.toes = {skeleton.find(LeftToe), skeleton.find(RightToe)};
 

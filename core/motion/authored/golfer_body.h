@@ -30,12 +30,12 @@ struct GolferBody {
   int pelvis = kNoJoint;
   std::vector<int> back = {};  // joints that turn between pelvis and chest, the chest last
   std::vector<int> neck = {};  // joints that turn between chest and head, the head last; may be empty
-  int chest = kNoJoint;   // carries the arms
+  int chest = kNoJoint;        // carries the arms
   std::array<Limb, 2> arms = {}, legs = {};
   std::array<int, 2> clavicles{kNoJoint, kNoJoint};
   std::array<int, 2> toes{kNoJoint, kNoJoint};
   std::array<Vec3, 2> ankle_to_toe = {};  // rest; to the ball of the toes
-  double ankle_height = 0;           // over the sole, at rest
+  double ankle_height = 0;                // over the sole, at rest
   double shoulder_distance = 0;
   double size = 1;  // leg length over that of a standard body of 1.80 m: scales centimetres of the script
 

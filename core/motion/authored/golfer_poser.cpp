@@ -51,13 +51,15 @@ double distance_to_sphere(const Vec3& start, const Vec3& direction, const Vec3& 
 }
 
 // Where the wrists are in the club's axes (shaft to the head, face normal, out of the swing plane), metres.
-constexpr std::array<std::array<double, 3>, 2> kWristFromGrip = {{{-0.048, 0.012, 0.050}, {0.024, -0.016, 0.054}}};
+constexpr std::array<std::array<double, 3>, 2> kWristFromGrip = {
+    {{-0.048, 0.012, 0.050}, {0.024, -0.016, 0.054}}};
 
 // Legs and arms bend at least so much: a joint that locks would jerk.
 constexpr double kStraightestKnee = 0.10;
 
 // Sets the rotations of a limb's two bones from where its joints shall be.
-void turn_limb(const Limb& limb, const Vec3& root, const TwoBoneSolution& solution, std::vector<Quat>& global) {
+void turn_limb(const Limb& limb, const Vec3& root, const TwoBoneSolution& solution,
+               std::vector<Quat>& global) {
   const Vec3 upper = glm::normalize(solution.middle - root);
   const Vec3 lower = glm::normalize(solution.end - solution.middle);
   const Vec3 straight = glm::normalize(solution.end - root);
@@ -70,14 +72,15 @@ void turn_limb(const Limb& limb, const Vec3& root, const TwoBoneSolution& soluti
 // Joints that nothing turned follow their parent.
 void inherit(const Skeleton& skeleton, const std::vector<bool>& set, std::vector<Quat>& global) {
   for (int i = 0; i < skeleton.size(); ++i)
-    if (!set[at(i)] && skeleton.joint(i).parent != kNoJoint) global[at(i)] = global[at(skeleton.joint(i).parent)];
+    if (!set[at(i)] && skeleton.joint(i).parent != kNoJoint)
+      global[at(i)] = global[at(skeleton.joint(i).parent)];
 }
 
 }  // namespace
 
 struct GolferPoser::Torso {
   Vec3 middle_of_hips;
-  std::vector<Quat> global;   // of every joint; limbs follow the torso for now
+  std::vector<Quat> global;  // of every joint; limbs follow the torso for now
   std::vector<Vec3> positions;
 };
 
@@ -151,8 +154,8 @@ GolferPoser::Torso GolferPoser::place_torso(const GolfPose& numbers) const {
     const double sign = lead ? 1 : -1;
     const double forward = numbers[lead ? LeadShoulderForward : TrailShoulderForward];
     const double up = numbers[lead ? LeadShoulderUp : TrailShoulderUp];
-    turn(clavicle, chest * about_up(-sign * forward) *
-                       glm::angleAxis(radians_from_degrees(sign * up), Vec3(0, 0, 1)));
+    turn(clavicle,
+         chest * about_up(-sign * forward) * glm::angleAxis(radians_from_degrees(sign * up), Vec3(0, 0, 1)));
   }
   inherit(skeleton, set, torso.global);
 
@@ -191,7 +194,8 @@ void GolferPoser::place_head(const GolfPose& numbers, std::vector<Quat>& global)
         glm::slerp(chest, head, static_cast<double>(i + 1) / static_cast<double>(body_.neck.size()));
 }
 
-GolferPoser::Grip GolferPoser::place_grip(const GolfPose& numbers, const std::array<Vec3, 2>& shoulders) const {
+GolferPoser::Grip GolferPoser::place_grip(const GolfPose& numbers,
+                                          const std::array<Vec3, 2>& shoulders) const {
   const Vec3 hub = 0.5 * (shoulders[0] + shoulders[1]);
   const Vec3 to_hands = direction_in_plane(numbers[HandsAngle], numbers[HandsPlane]);
   const double angle = radians_from_degrees(numbers[ClubAngle]);
@@ -199,7 +203,8 @@ GolferPoser::Grip GolferPoser::place_grip(const GolfPose& numbers, const std::ar
   const double plane_deg = numbers[ClubPlane] + lie_offset_deg_ * 0.5 * (1 + std::cos(angle));
   const double plane = radians_from_degrees(plane_deg);
   const Vec3 keyed_shaft = direction_in_plane(numbers[ClubAngle], plane_deg);
-  const Vec3 up_plane(0, std::sin(plane), -std::cos(plane)), plane_normal(0, std::cos(plane), std::sin(plane));
+  const Vec3 up_plane(0, std::sin(plane), -std::cos(plane)),
+      plane_normal(0, std::cos(plane), std::sin(plane));
   const Vec3 along_arc = up_plane * std::sin(angle) + Vec3(1, 0, 0) * std::cos(angle);
   const double roll = radians_from_degrees(numbers[ClubRoll]);
 
@@ -215,8 +220,7 @@ GolferPoser::Grip GolferPoser::place_grip(const GolfPose& numbers, const std::ar
     double reach = 1e9;
     for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
       const Limb& arm = body_.arms[at(side)];
-      const double flexion =
-          radians_from_degrees(numbers[side == GolferBody::Lead ? LeadElbow : TrailElbow]);
+      const double flexion = radians_from_degrees(numbers[side == GolferBody::Lead ? LeadElbow : TrailElbow]);
       const Vec3 wrist_offset = grip.wrist(side) - grip.point;
       const double distance =
           distance_to_sphere(hub, to_hands, shoulders[at(side)] - wrist_offset, arm.reach(flexion));
@@ -227,8 +231,8 @@ GolferPoser::Grip GolferPoser::place_grip(const GolfPose& numbers, const std::ar
   return grip;
 }
 
-double GolferPoser::place_arms(const GolfPose& numbers, const Grip& grip, const std::array<Vec3, 2>& shoulders,
-                               std::vector<Quat>& global) const {
+double GolferPoser::place_arms(const GolfPose& numbers, const Grip& grip,
+                               const std::array<Vec3, 2>& shoulders, std::vector<Quat>& global) const {
   double deficit = 0;
   const Quat chest = global[at(body_.chest)];
   for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
@@ -238,14 +242,15 @@ double GolferPoser::place_arms(const GolfPose& numbers, const Grip& grip, const 
     const Vec3 points_to = chest * Vec3(lead ? out : -out, -numbers[lead ? LeadElbowDown : TrailElbowDown],
                                         -numbers[lead ? LeadElbowBack : TrailElbowBack]);
     const Vec3 wrist = grip.wrist(side);
-    const TwoBoneSolution solution = solve_two_bones(shoulders[at(side)], wrist, shoulders[at(side)] + points_to,
-                                                     arm.upper_length, arm.lower_length);
+    const TwoBoneSolution solution = solve_two_bones(
+        shoulders[at(side)], wrist, shoulders[at(side)] + points_to, arm.upper_length, arm.lower_length);
     deficit = std::max(deficit, solution.deficit);
     turn_limb(arm, shoulders[at(side)], solution, global);
     // The hand lies across the grip with the thumb down the shaft.
     const Vec3 from_wrist = grip.point + grip.shaft * glm::dot(grip.shaft, wrist - grip.point) - wrist;
     const Vec3 fingers = glm::normalize(from_wrist);
-    global[at(arm.end)] = rotation_between(axes(Vec3(lead ? 1 : -1, 0, 0), Vec3(0, 0, 1)), axes(fingers, grip.shaft));
+    global[at(arm.end)] =
+        rotation_between(axes(Vec3(lead ? 1 : -1, 0, 0), Vec3(0, 0, 1)), axes(fingers, grip.shaft));
   }
   return deficit;
 }
@@ -258,8 +263,8 @@ double GolferPoser::place_legs(const GolfPose& numbers, const std::array<Vec3, 2
     const Foot planted = foot(side, numbers);
     const Vec3 forward =
         about_up(numbers[side == GolferBody::Lead ? LeadKneeYaw : TrailKneeYaw]) * Vec3(0, 0, 1);
-    const TwoBoneSolution solution =
-        solve_two_bones(hips[at(side)], planted.ankle, hips[at(side)] + forward, leg.upper_length, leg.lower_length);
+    const TwoBoneSolution solution = solve_two_bones(hips[at(side)], planted.ankle, hips[at(side)] + forward,
+                                                     leg.upper_length, leg.lower_length);
     deficit = std::max(deficit, solution.deficit);
     turn_limb(leg, hips[at(side)], solution, global);
     global[at(leg.end)] = planted.foot;

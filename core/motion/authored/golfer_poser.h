@@ -1,6 +1,6 @@
-// From golf numbers to a body's pose: pelvis and back by rotation, both hands on the grip and both feet on the
-// ground by inverse kinematics. All bones keep their lengths, the club has one size for every body, and the hands
-// stay in one relation to it.
+// From golf numbers to a body's pose: pelvis and back by rotation, both hands on the grip and both feet on
+// the ground by inverse kinematics. All bones keep their lengths, the club has one size for every body, and
+// the hands stay in one relation to it.
 #pragma once
 
 #include "core/body/forward_kinematics.h"
@@ -22,8 +22,8 @@ struct GolferPose {
 
 class GolferPoser {
  public:
-  // Fits the script's address to the body: bends it so that the club reaches the ground, and lays the ball there.
-  // Errors: Incomplete, see GolferBody.
+  // Fits the script's address to the body: bends it so that the club reaches the ground, and lays the ball
+  // there. Errors: Incomplete, see GolferBody.
   static Result<GolferPoser> make(const Skeleton& skeleton, const GolfScript& script);
 
   GolferPose pose(const GolfPose& numbers) const;
@@ -43,7 +43,8 @@ class GolferPoser {
   Grip place_grip(const GolfPose& numbers, const std::array<Vec3, 2>& shoulders) const;
   double place_arms(const GolfPose& numbers, const Grip& grip, const std::array<Vec3, 2>& shoulders,
                     std::vector<Quat>& global) const;
-  double place_legs(const GolfPose& numbers, const std::array<Vec3, 2>& hips, std::vector<Quat>& global) const;
+  double place_legs(const GolfPose& numbers, const std::array<Vec3, 2>& hips,
+                    std::vector<Quat>& global) const;
   Vec3 planted_ankle(int side) const;
   struct Foot;
   Foot foot(int side, const GolfPose& numbers) const;

@@ -34,7 +34,8 @@ KeyCurve::KeyCurve(std::span<const CurveKey> keys) {
   for (std::size_t i = 1; i < keys.size(); ++i) POSECOACH_ASSERT(keys[i].time_s > keys[i - 1].time_s);
   std::vector<double> slope(keys.size(), 0.0);
   if (keys.size() > 2) slope = clamped_spline_slopes(keys);
-  for (std::size_t i = 0; i < keys.size(); ++i) knots_.push_back({keys[i].time_s, keys[i].value, slope[i], 0});
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    knots_.push_back({keys[i].time_s, keys[i].value, slope[i], 0});
   for (std::size_t i = 1; i + 1 < knots_.size(); ++i) {
     const Knot &a = knots_[i - 1], &c = knots_[i + 1];
     Knot& b = knots_[i];
@@ -48,8 +49,8 @@ KeyCurve::KeyCurve(std::span<const CurveKey> keys) {
       if (b.velocity * rise_before < 0) b.velocity = 0;
     }
   }
-  // The two cubic pieces that meet at a key ask for different accelerations: take the gentler one, which keeps a
-  // long piece from bulging under the demands of a short neighbour.
+  // The two cubic pieces that meet at a key ask for different accelerations: take the gentler one, which
+  // keeps a long piece from bulging under the demands of a short neighbour.
   for (std::size_t i = 1; i + 1 < knots_.size(); ++i) {
     const Knot &a = knots_[i - 1], &c = knots_[i + 1];
     Knot& b = knots_[i];

@@ -1,7 +1,7 @@
-// A smooth curve through key values: position, velocity and acceleration are continuous, it rests (velocity and
-// acceleration zero) before the first and after the last key, and it stands still for an instant at every key
-// that is higher or lower than both its neighbours. Quintic Hermite pieces; velocities from the clamped cubic
-// spline, limited after Fritsch & Carlson (1980) so that it does not swing past its keys.
+// A smooth curve through key values: position, velocity and acceleration are continuous, it rests (velocity
+// and acceleration zero) before the first and after the last key, and it stands still for an instant at every
+// key that is higher or lower than both its neighbours. Quintic Hermite pieces; velocities from the clamped
+// cubic spline, limited after Fritsch & Carlson (1980) so that it does not swing past its keys.
 #pragma once
 
 #include <span>
