@@ -1,0 +1,143 @@
+#include "core/body/body_measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace posecoach {
+namespace {
+
+// Below this visibility a landmark is a guess of the model: it counts, but hardly.
+constexpr double kGuessVisibility = 0.5;
+constexpr double kGuessWeight = 0.02;
+// Tragion height over stature, and the height of a skull's base (where rigs put "head"), after the same
+// tables as the standard body.
+constexpr double kEarHeightPerStature = 0.93;
+constexpr double kHeadJointHeightPerStature = 0.87;
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+double weighted_median(std::vector<std::pair<double, double>> values, double total) {
+  std::sort(values.begin(), values.end());
+  double below = 0;
+  for (const auto& [value, weight] : values)
+    if ((below += weight) >= 0.5 * total) return value;
+  return values.back().first;
+}
+
+double trust(double visibility) {
+  return visibility >= kGuessVisibility ? visibility : kGuessWeight * visibility;
+}
+
+std::vector<BoneSighting> sightings_of(int joint, int parent, std::span<const WorldKeypoints> frames) {
+  std::vector<BoneSighting> sightings;
+  sightings.reserve(frames.size());
+  for (const WorldKeypoints& frame : frames) {
+    std::array<Vec3, kLandmarkCount> points;
+    std::array<double, kLandmarkCount> visibility{};
+    for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+      points[i] = frame[i].position_m;
+      visibility[i] = frame[i].visibility;
+    }
+    const auto positions = landmark_body_positions(points);
+    const auto confidence = landmark_body_confidence(visibility);
+    const Vec3 bone = positions[index(joint)] - positions[index(parent)];
+    const double length = glm::length(bone);
+    if (!std::isfinite(length) || length <= 0) continue;
+    const double along_view = bone.z / length;
+    const double in_picture = 1.0 - along_view * along_view;
+    sightings.push_back(
+        {length, trust(confidence[index(joint)]) * trust(confidence[index(parent)]) * (0.05 + in_picture)});
+  }
+  return sightings;
+}
+
+Result<void> check_height(double height_m) {
+  if (height_m >= 0.5 && height_m <= 2.6) return {};
+  return fail(ErrorCode::InvalidArgument, "a height must lie between 0.5 and 2.6 metres");
+}
+
+}  // namespace
+
+std::optional<BoneLength> measure_bone(std::span<const BoneSighting> sightings) {
+  std::vector<std::pair<double, double>> lengths;
+  double total = 0;
+  for (const BoneSighting& sighting : sightings) {
+    if (!(sighting.weight > 0)) continue;
+    lengths.emplace_back(sighting.length_m, sighting.weight);
+    total += sighting.weight;
+  }
+  if (lengths.empty()) return std::nullopt;
+  const double length = weighted_median(lengths, total);
+  for (auto& [value, weight] : lengths) value = std::abs(value - length);
+  return BoneLength{length, 1.48 * weighted_median(std::move(lengths), total)};
+}
+
+std::optional<BonePair> measure_bone_pair(std::span<const BoneSighting> left,
+                                          std::span<const BoneSighting> right) {
+  const auto left_alone = measure_bone(left), right_alone = measure_bone(right);
+  if (left_alone && right_alone) {
+    const double difference = std::abs(left_alone->length_m - right_alone->length_m);
+    const double mean = 0.5 * (left_alone->length_m + right_alone->length_m);
+    if (difference > 0.25 * mean && difference > 3 * std::max(left_alone->spread_m, right_alone->spread_m))
+      return BonePair{left_alone->length_m, right_alone->length_m};
+  }
+  std::vector<BoneSighting> both(left.begin(), left.end());
+  both.insert(both.end(), right.begin(), right.end());
+  const auto pooled = measure_bone(both);
+  if (!pooled) return std::nullopt;
+  return BonePair{pooled->length_m, pooled->length_m};
+}
+
+Result<Skeleton> measure_landmark_body(std::span<const WorldKeypoints> frames,
+                                       const MeasuringOptions& options) {
+  if (frames.empty()) return fail(ErrorCode::Incomplete, "a body cannot be measured without any frame");
+  if (options.height_m)
+    if (auto ok = check_height(*options.height_m); !ok) return tl::unexpected(ok.error());
+  const auto joints = landmark_body_joints();
+  LandmarkBodyLengths lengths{};
+  for (std::size_t j = 1; j < joints.size(); ++j) {
+    const LandmarkJoint& joint = joints[j];
+    const int own = static_cast<int>(j);
+    if (joint.role == HumanoidJoint::Spine || joint.role == HumanoidJoint::Neck) continue;
+    const auto never_seen = [&] {
+      return fail(ErrorCode::Incomplete, "the body cannot be measured: " + joint.name + " is never seen");
+    };
+    if (joint.twin == kNoJoint) {
+      const auto length = measure_bone(sightings_of(own, joint.parent, frames));
+      if (!length) return never_seen();
+      lengths[j] = length->length_m;
+    } else if (joint.twin > own) {
+      const auto pair = measure_bone_pair(sightings_of(own, joint.parent, frames),
+                                          sightings_of(joint.twin, joints[index(joint.twin)].parent, frames));
+      if (!pair) return never_seen();
+      lengths[j] = pair->left_m;
+      lengths[index(joint.twin)] = pair->right_m;
+    }
+  }
+  const Skeleton body = make_landmark_body(lengths);
+  return options.height_m ? scaled_to_stature(body, *options.height_m) : Result<Skeleton>(body);
+}
+
+double stature(const Skeleton& skeleton) {
+  const auto rest = skeleton.rest_positions();
+  double lowest = rest[0].y;
+  for (const Vec3& p : rest) lowest = std::min(lowest, p.y);
+  const int head = skeleton.find(HumanoidJoint::Head);
+  if (skeleton.has(HumanoidJoint::HeadTop) || head == kNoJoint) return skeleton.rest_height();
+  const double head_height = rest[index(head)].y - lowest;
+  return std::max(
+      skeleton.rest_height(),
+      head_height / (is_landmark_body(skeleton) ? kEarHeightPerStature : kHeadJointHeightPerStature));
+}
+
+Result<Skeleton> scaled_to_stature(const Skeleton& skeleton, double height_m) {
+  if (auto ok = check_height(height_m); !ok) return tl::unexpected(ok.error());
+  const double now = stature(skeleton);
+  if (!(now > 0)) return fail(ErrorCode::Incomplete, "the body has no height to be scaled");
+  return skeleton.scaled(height_m / now);
+}
+
+}  // namespace posecoach
