@@ -11,8 +11,8 @@
 namespace posecoach {
 
 // rotation:  each bone's turn away from the coach's own T-pose, from the file's rotations or recovered from
-// positions
-//            (Kabsch at joints with several children, swing elsewhere), applied to the student's T-pose.
+//            positions (Kabsch at joints with several children, swing elsewhere), applied to the student's
+//            T-pose.
 // direction: the coach's bone directions with the student's lengths.
 // scale:     the coach's joint positions times the ratio of heights (breaks the student's proportions: a
 // baseline).
@@ -24,9 +24,13 @@ Result<RetargetMethod> retarget_method_from_string(std::string_view name);
 
 enum class Contacts { Off, On };
 
+// What to do with rotations that the coach's file has: use them, or look at the positions alone.
+enum class RotationSource { FileFirst, Positions };
+
 struct RetargetOptions {
   RetargetMethod method = kDefaultRetargetMethod;
   Contacts contacts = Contacts::Off;
+  RotationSource rotations = RotationSource::FileFirst;
 };
 
 // What the constraint layer did; zeros with Contacts::Off or where the coach holds nothing.
@@ -38,7 +42,7 @@ struct ContactReport {
 };
 
 struct RetargetResult {
-  Motion motion;                     // on the body's own skeleton, with the coach's times; has rotations
+  Motion motion;  // on the body's own skeleton, with the coach's times; rotations except `scale`
   double bone_length_error_max = 0;  // relative
   ContactReport contacts;
 };
