@@ -1,0 +1,228 @@
+#include "core/pipeline/lift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/base/assert.h"
+#include "core/body/body_measurement.h"
+#include "core/body/landmark_body.h"
+#include "core/pipeline/camera_fit.h"
+#include "core/pipeline/stance.h"
+
+namespace posecoach {
+namespace {
+
+constexpr std::size_t kJoints = kLandmarkBodyJointCount;
+constexpr std::size_t kFewestFrames = 3;
+// A golfer shifts his weight within a second or two; the model's sense of size wavers faster than that.
+constexpr double kDepthSmoothing_s = 0.5;
+
+struct Sighting {
+  std::size_t frame = 0;  // of the track
+  SeenPerson person;
+};
+
+std::vector<Sighting> sightings_of(const PoseTrack& track) {
+  std::vector<Sighting> sightings;
+  for (std::size_t i = 0; i < track.frames.size(); ++i)
+    if (track.frames[i].person) sightings.push_back({i, *track.frames[i].person});
+  return sightings;
+}
+
+double arms_legs_and_torso(const Skeleton& body) {
+  double sum = 0;
+  for (const HumanoidJoint role :
+       {HumanoidJoint::Chest, HumanoidJoint::LeftElbow, HumanoidJoint::LeftWrist, HumanoidJoint::RightElbow,
+        HumanoidJoint::RightWrist, HumanoidJoint::LeftKnee, HumanoidJoint::LeftAnkle,
+        HumanoidJoint::RightKnee, HumanoidJoint::RightAnkle})
+    sum += body.bone_length(body.find(role));
+  return sum;
+}
+
+struct MeasuredStudent {
+  Skeleton body;
+  double scale = 1;  // from the model's metres to the student's
+};
+
+Result<MeasuredStudent> measure(std::span<const SeenPerson> people, const LiftOptions& options) {
+  std::vector<WorldKeypoints> world;
+  for (const SeenPerson& person : people) world.push_back(person.world);
+  const Result<Skeleton> measured = measure_landmark_body(world);
+  if (!measured) return tl::unexpected(measured.error());
+  if (options.body) {
+    if (!is_landmark_body(*options.body))
+      return fail(ErrorCode::InvalidArgument, "a student seen by a camera needs a body measured by a camera");
+    return MeasuredStudent{*options.body,
+                           arms_legs_and_torso(*options.body) / arms_legs_and_torso(*measured)};
+  }
+  if (!options.height_m) return MeasuredStudent{*measured, 1};
+  Result<Skeleton> scaled = scaled_to_stature(*measured, *options.height_m);
+  if (!scaled) return tl::unexpected(scaled.error());
+  return MeasuredStudent{*std::move(scaled), *options.height_m / stature(*measured)};
+}
+
+// Each frame's depth of the hips, smoothed over time; frames whose fit failed take their neighbours'.
+std::vector<double> smooth_depths(std::span<const std::optional<Vec3>> places,
+                                  std::span<const double> times_s) {
+  std::vector<double> depths(places.size(), 0.0);
+  std::vector<double> known;
+  for (const auto& place : places)
+    if (place) known.push_back(place->z);
+  POSECOACH_ASSERT(!known.empty());
+  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+  std::nth_element(known.begin(), middle, known.end());
+  const double usual = *middle;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    while (times_s[begin] < times_s[i] - 3 * kDepthSmoothing_s) ++begin;
+    double sum = 1e-6 * usual, weights = 1e-6;
+    for (std::size_t j = begin; j < places.size() && times_s[j] <= times_s[i] + 3 * kDepthSmoothing_s; ++j) {
+      if (!places[j]) continue;
+      const double distance = (times_s[j] - times_s[i]) / kDepthSmoothing_s;
+      const double weight = std::exp(-0.5 * distance * distance);
+      sum += weight * places[j]->z;
+      weights += weight;
+    }
+    depths[i] = sum / weights;
+  }
+  return depths;
+}
+
+// Each joint on its 2D joint's ray, as far away as the hips plus the model's relative depth.
+std::array<Vec3, kLandmarkCount> on_rays(const SeenPerson& person, double depth, const Intrinsics& camera) {
+  std::array<Vec3, kLandmarkCount> points;
+  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+    const double z = std::max(0.1, depth + person.world[i].position_m.z);
+    const Vec2 ray = (person.image[i].position_px - camera.centre_px) / camera.focal_px;
+    points[i] = {ray.x * z, ray.y * z, z};
+  }
+  return points;
+}
+
+View view_of(const Motion& motion, const PinholeCamera& camera, std::span<const std::size_t> still) {
+  const Skeleton& body = motion.skeleton();
+  const auto at = [&](int frame, HumanoidJoint role) { return motion.position(frame, body.find(role)); };
+  // The first still frames: the address. At the finish a golfer faces the target.
+  const std::size_t count = std::max<std::size_t>(1, still.size() / 3);
+  Vec3 facing(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int frame = static_cast<int>(still[i]);
+    const Vec3 across = at(frame, HumanoidJoint::LeftHip) - at(frame, HumanoidJoint::RightHip) +
+                        at(frame, HumanoidJoint::LeftShoulder) - at(frame, HumanoidJoint::RightShoulder);
+    const Vec3 front = glm::cross(across, Vec3(0, 1, 0));
+    if (glm::length(front) > 1e-9) facing += glm::normalize(front);
+  }
+  Vec3 to_camera = camera.position() - at(static_cast<int>(still[0]), HumanoidJoint::Pelvis);
+  to_camera.y = 0;
+  const double angle = degrees_from_radians(
+      std::atan2(glm::length(glm::cross(facing, to_camera)), glm::dot(facing, to_camera)));
+  if (angle < 40) return View::FaceOn;
+  return angle > 55 && angle < 125 ? View::DownTheLine : View::Between;
+}
+
+}  // namespace
+
+std::string_view to_string(View view) {
+  switch (view) {
+    case View::FaceOn:
+      return "face-on";
+    case View::DownTheLine:
+      return "down-the-line";
+    case View::Between:
+      break;
+  }
+  return "between";
+}
+
+Result<LiftedStudent> lift(const PoseTrack& track, const LiftOptions& options) {
+  if (track.width <= 0 || track.height <= 0)
+    return fail(ErrorCode::Malformed, track.source + ": the size of the picture is missing");
+  std::vector<Sighting> sightings = sightings_of(track);
+  if (sightings.empty()) return fail(ErrorCode::NoPerson, track.source + ": nobody is seen in any frame");
+  if (sightings.size() < kFewestFrames)
+    return fail(ErrorCode::Incomplete, track.source + ": a person is seen in only " +
+                                           std::to_string(sightings.size()) +
+                                           " frames; a motion needs at least 3");
+  std::vector<SeenPerson> people;
+  std::vector<double> times_s;
+  for (const Sighting& sighting : sightings) {
+    people.push_back(sighting.person);
+    times_s.push_back(to_seconds(track.frames[sighting.frame].time));
+  }
+  const Result<MeasuredStudent> student = measure(people, options);
+  if (!student) return tl::unexpected(student.error());
+  for (SeenPerson& person : people)
+    for (WorldKeypoint& point : person.world) point.position_m *= student->scale;
+
+  const Intrinsics intrinsics{estimate_focal_px(people, track.width, track.height),
+                              {0.5 * track.width, 0.5 * track.height}};
+  std::vector<std::optional<Vec3>> places;
+  std::vector<SeenPerson> placed_people;
+  std::vector<Vec3> known_places;
+  for (const SeenPerson& person : people) {
+    places.push_back(fit_translation(person, intrinsics));
+    if (!places.back()) continue;
+    placed_people.push_back(person);
+    known_places.push_back(*places.back());
+  }
+  if (known_places.empty())
+    return fail(ErrorCode::NoPerson,
+                track.source + ": the person's joints do not make a body before a camera");
+  const std::vector<double> depths = smooth_depths(places, times_s);
+
+  std::vector<Vec3> seen_positions;
+  std::vector<double> seen_confidence;
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    const auto joints = landmark_body_positions(on_rays(people[i], depths[i], intrinsics));
+    seen_positions.insert(seen_positions.end(), joints.begin(), joints.end());
+    std::array<double, kLandmarkCount> visibility{};
+    for (std::size_t k = 0; k < kLandmarkCount; ++k)
+      visibility[k] = std::clamp(people[i].image[k].visibility, 0.0, 1.0);
+    const auto confidence = landmark_body_confidence(visibility);
+    seen_confidence.insert(seen_confidence.end(), confidence.begin(), confidence.end());
+  }
+  const Stance stance = estimate_stance(seen_positions);
+
+  // All frames from the first to the last sighting; between sightings, a straight line that claims nothing.
+  const std::size_t first = sightings.front().frame, last = sightings.back().frame;
+  std::vector<MediaTime> times;
+  std::vector<Vec3> positions;
+  std::vector<double> confidence;
+  std::size_t left = 0;
+  for (std::size_t frame = first; frame <= last; ++frame) {
+    while (left + 1 < sightings.size() && sightings[left + 1].frame <= frame) ++left;
+    const std::size_t right = std::min(left + 1, sightings.size() - 1);
+    const bool seen = sightings[left].frame == frame;
+    times.push_back(track.frames[frame].time);
+    const double span = times_s[right] - times_s[left];
+    const double part = seen || span <= 0 ? 0.0 : (to_seconds(times.back()) - times_s[left]) / span;
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      const Vec3 place =
+          glm::mix(seen_positions[left * kJoints + j], seen_positions[right * kJoints + j], part);
+      positions.push_back(stance.world_from_camera * (place - stance.origin));
+      confidence.push_back(seen ? seen_confidence[left * kJoints + j] : 0.0);
+    }
+  }
+  Result<Motion> motion =
+      Motion::from_positions(student->body, std::move(times), std::move(positions), std::move(confidence));
+  if (!motion) return fail(motion.error().code, track.source + ": " + motion.error().message);
+
+  PinholeCamera camera{track.width,
+                       track.height,
+                       intrinsics.focal_px,
+                       intrinsics.centre_px,
+                       glm::transpose(stance.world_from_camera),
+                       stance.origin};
+  std::vector<std::size_t> still;
+  for (const std::size_t i : stance.still_frames) still.push_back(sightings[i].frame - first);
+  const View view = view_of(*motion, camera, still);
+  return LiftedStudent{*std::move(motion),
+                       student->body,
+                       camera,
+                       view,
+                       static_cast<int>(first),
+                       reprojection_error_px(placed_people, known_places, intrinsics)};
+}
+
+}  // namespace posecoach
