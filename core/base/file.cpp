@@ -1,12 +1,10 @@
 #include "core/base/file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
+
+#include "core/base/atomic_file.h"
 
 namespace posecoach {
 namespace fs = std::filesystem;
@@ -17,16 +15,6 @@ Error system_error(const char* verb, const fs::path& path) {
   const int reason = errno;
   const ErrorCode code = reason == ENOENT ? ErrorCode::NotFound : ErrorCode::Unreadable;
   return Error{code, std::string(verb) + " " + path.string() + ": " + std::strerror(reason)};
-}
-
-Result<void> write_all(int descriptor, std::string_view bytes, const fs::path& path) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return tl::unexpected(system_error("cannot write", path));
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return {};
 }
 
 }  // namespace
@@ -52,18 +40,10 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
 }
 
 Result<void> write_file_atomically(const fs::path& path, std::string_view bytes) {
-  if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
-  const fs::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) return tl::unexpected(system_error("cannot create", path));
-  Result<void> written = write_all(descriptor, bytes, path);
-  if (written && ::fsync(descriptor) != 0 && errno != EINVAL)
-    written = tl::unexpected(system_error("cannot write", path));
-  ::close(descriptor);
-  if (written && std::rename(temporary.c_str(), path.c_str()) != 0)
-    written = tl::unexpected(system_error("cannot write", path));
-  if (!written) ::unlink(temporary.c_str());
-  return written;
+  auto file = AtomicFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  if (const auto written = file->write(bytes); !written) return written;
+  return file->commit();
 }
 
 }  // namespace posecoach

@@ -1,0 +1,36 @@
+// A file written piece by piece that appears under its name only when it is complete.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace posecoach {
+
+class AtomicFile {
+ public:
+  // The path "-" is standard output, which cannot be taken back. Errors: Unreadable, NotFound (no such
+  // folder).
+  static Result<AtomicFile> create(const std::filesystem::path& path);
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  // Without commit() nothing is left behind.
+  ~AtomicFile();
+
+  Result<void> write(std::string_view bytes);
+  // Syncs and renames; afterwards the file is there, whole.
+  Result<void> commit();
+
+ private:
+  AtomicFile(int descriptor, std::filesystem::path path, std::filesystem::path temporary);
+  void abandon();
+
+  int descriptor_ = -1;
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;  // empty for standard output
+  std::string buffer_;
+};
+
+}  // namespace posecoach

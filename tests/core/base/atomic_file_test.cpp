@@ -1,0 +1,37 @@
+#include "core/base/atomic_file.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/file.h"
+
+namespace posecoach {
+namespace {
+
+TEST(AtomicFile, appears_whole_and_only_after_commit) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "posecoach_atomic_file_test.bin";
+  std::filesystem::remove(path);
+  const std::string block(100'000, 'x');
+  {
+    AtomicFile file = AtomicFile::create(path).value();
+    for (int i = 0; i < 7; ++i) ASSERT_TRUE(file.write(block));
+    EXPECT_FALSE(std::filesystem::exists(path));
+    ASSERT_TRUE(file.commit());
+  }
+  EXPECT_EQ(read_file(path)->size(), 700'000u);
+}
+
+TEST(AtomicFile, leaves_nothing_when_it_is_given_up) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "posecoach_atomic_file_folder";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  {
+    AtomicFile file = AtomicFile::create(folder / "a").value();
+    ASSERT_TRUE(file.write("half"));
+    AtomicFile moved = std::move(file);
+    ASSERT_TRUE(moved.write(" of it"));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace posecoach
