@@ -6,6 +6,8 @@
 
 #include "core/base/assert.h"
 #include "core/body/forward_kinematics.h"
+#include "core/retarget/feet.h"
+#include "core/retarget/grip.h"
 #include "core/retarget/joint_mapping.h"
 #include "core/retarget/root_path.h"
 #include "core/retarget/turn_transfer.h"
@@ -121,6 +123,12 @@ Result<RetargetResult> retarget(const Motion& coach, const Skeleton& body, const
   Motion motion = assemble(coach, body, turned_frames(coach, body, options, *mapping));
   if (options.method == RetargetMethod::Scale) motion = scaled_motion(coach, motion, *mapping);
   RetargetResult result{std::move(motion), 0, {}};
+  if (options.contacts == Contacts::On) {
+    PosedMotion posed(result.motion);
+    plant_feet(coach, posed);
+    close_grip(coach, posed, result.contacts);
+    result.motion = posed.motion();
+  }
   result.bone_length_error_max = bone_length_error(result.motion);
   return result;
 }
