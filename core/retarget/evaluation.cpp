@@ -1,0 +1,243 @@
+#include "core/retarget/evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "core/base/assert.h"
+#include "core/retarget/feet.h"
+#include "core/retarget/grip.h"
+#include "core/retarget/t_pose.h"
+
+namespace posecoach {
+namespace {
+
+using enum HumanoidJoint;
+
+constexpr double kEvaluationRate = 30;
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::vector<HumanoidJoint> roles_of(const Skeleton& skeleton) {
+  std::vector<HumanoidJoint> roles;
+  for (const HumanoidJoint role : kHumanoidJoints)
+    if (skeleton.has(role)) roles.push_back(role);
+  return roles;
+}
+
+double chain_length(const Skeleton& skeleton, int end) {
+  double length = 0;
+  for (int j = end; j != kNoJoint && skeleton.joint(j).parent != kNoJoint; j = skeleton.joint(j).parent)
+    length += skeleton.bone_length(j);
+  return length;
+}
+
+double mean_slide_cm_s(const Motion& student, const FootContacts& contacts) {
+  double way = 0, seconds = 0;
+  for (const auto& [toe, ankle, planted] :
+       {std::tuple(LeftToe, LeftAnkle, &contacts.left), std::tuple(RightToe, RightAnkle, &contacts.right)}) {
+    const int joint = student.skeleton().find(student.skeleton().has(toe) ? toe : ankle);
+    for (const PlantedFoot& contact : *planted)
+      for (int f = contact.begin + 1; f < contact.end; ++f) {
+        Vec3 step = student.position(f, joint) - student.position(f - 1, joint);
+        step.y = 0;
+        way += glm::length(step);
+        seconds += to_seconds(student.time(f) - student.time(f - 1));
+      }
+  }
+  return seconds > 0 ? 100 * way / seconds : 0;
+}
+
+double mean_jitter(const Motion& motion, const std::vector<int>& joints) {
+  double sum = 0;
+  int count = 0;
+  for (int f = 0; f + 3 < motion.frame_count(); ++f) {
+    const double dt = to_seconds(motion.time(f + 3) - motion.time(f)) / 3;
+    const auto local = [&](int frame, int joint) {
+      return motion.position(frame, joint) - motion.position(frame, 0);
+    };
+    for (const int j : joints) {
+      sum += glm::length(local(f + 3, j) - 3.0 * local(f + 2, j) + 3.0 * local(f + 1, j) - local(f, j)) /
+             (dt * dt * dt);
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+std::optional<double> mean_grip_error_cm(const Motion& predicted, const Motion& coach) {
+  const std::vector<double> weights = grip_weights(coach);
+  double sum = 0;
+  int count = 0;
+  for (int f = 0; f < coach.frame_count(); ++f) {
+    if (weights[index(f)] < 1 - 1e-9) continue;
+    sum += 100 * glm::distance(wrist_relation(predicted.skeleton(), predicted.positions(f)),
+                               wrist_relation(coach.skeleton(), coach.positions(f)));
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+// Whole frames only, so that truth and prediction stay what the files say.
+Motion at_evaluation_rate(const Motion& motion) {
+  const int stride = std::max(1, static_cast<int>(std::lround(motion.frame_rate() / kEvaluationRate)));
+  std::vector<MediaTime> times;
+  for (int f = 0; f < motion.frame_count(); f += stride) times.push_back(motion.time(f));
+  return resample(motion, times);
+}
+
+struct Pair {
+  const CharacterMotion* coach;
+  const CharacterMotion* truth;
+  Structure structure;
+};
+
+std::string joined(const std::vector<HumanoidJoint>& roles) {
+  std::string text;
+  for (const HumanoidJoint role : roles) text += (text.empty() ? "" : " ") + std::string(to_string(role));
+  return text;
+}
+
+std::vector<Pair> pairs_of(const std::vector<CharacterMotion>& motions, std::vector<std::string>& notes) {
+  std::vector<Pair> pairs;
+  for (const CharacterMotion& coach : motions)
+    for (const CharacterMotion& truth : motions) {
+      if (coach.name != truth.name || coach.character == truth.character) continue;
+      if (coach.motion.frame_count() != truth.motion.frame_count()) {
+        notes.push_back(coach.name + ": " + coach.character + " and " + truth.character +
+                        " have different numbers of frames; left out");
+        continue;
+      }
+      const bool same = roles_of(coach.motion.skeleton()) == roles_of(truth.motion.skeleton());
+      pairs.push_back({&coach, &truth, same ? Structure::Intra : Structure::Cross});
+    }
+  return pairs;
+}
+
+void add(PairErrors& sum, const PairErrors& errors) {
+  sum.root += errors.root;
+  sum.local += errors.local;
+  sum.global += errors.global;
+  sum.eq16_cm += errors.eq16_cm;
+  sum.bone_length = std::max(sum.bone_length, errors.bone_length);
+  sum.slide_cm_s += errors.slide_cm_s;
+  sum.jitter_m_s3 += errors.jitter_m_s3;
+}
+
+PairErrors mean_of(const std::vector<PairErrors>& all) {
+  PairErrors mean;
+  double grip = 0;
+  int grips = 0;
+  for (const PairErrors& errors : all) {
+    add(mean, errors);
+    if (!errors.grip_cm) continue;
+    grip += *errors.grip_cm;
+    ++grips;
+  }
+  const auto count = static_cast<double>(all.size());
+  for (double* value :
+       {&mean.root, &mean.local, &mean.global, &mean.eq16_cm, &mean.slide_cm_s, &mean.jitter_m_s3})
+    *value /= count;
+  if (grips > 0) mean.grip_cm = grip / grips;
+  return mean;
+}
+
+}  // namespace
+
+double chain_height(const Skeleton& skeleton) {
+  const auto first_of = [&](std::initializer_list<HumanoidJoint> roles) {
+    for (const HumanoidJoint role : roles)
+      if (skeleton.has(role)) return skeleton.find(role);
+    return kNoJoint;
+  };
+  return chain_length(skeleton, first_of({LeftToeTip, LeftToe, LeftAnkle})) +
+         chain_length(skeleton, first_of({HeadTop, Head, Neck}));
+}
+
+PairErrors compare(const Motion& predicted, const Motion& truth, const Motion& coach) {
+  const Skeleton& skeleton = truth.skeleton();
+  POSECOACH_ASSERT(predicted.joint_count() == truth.joint_count());
+  POSECOACH_ASSERT(predicted.frame_count() == truth.frame_count() &&
+                   coach.frame_count() == truth.frame_count());
+  const double height = chain_height(skeleton);
+  POSECOACH_ASSERT(height > 0);
+  std::vector<int> joints;
+  for (const HumanoidJoint role : roles_of(skeleton)) joints.push_back(skeleton.find(role));
+  PairErrors errors;
+  for (int f = 0; f < truth.frame_count(); ++f) {
+    const Vec3 root = predicted.position(f, 0) - truth.position(f, 0);
+    errors.root += glm::dot(root, root);
+    for (const int j : joints) {
+      const Vec3 off = predicted.position(f, j) - truth.position(f, j);
+      errors.global += glm::dot(off, off);
+      errors.local += glm::dot(off - root, off - root);
+      const int parent = skeleton.joint(j).parent;
+      const double bone = skeleton.bone_length(j);
+      if (parent != kNoJoint && bone > 1e-6)
+        errors.bone_length = std::max(
+            errors.bone_length,
+            std::abs(glm::distance(predicted.position(f, j), predicted.position(f, parent)) - bone) / bone);
+    }
+  }
+  const double frames = truth.frame_count(), points = frames * static_cast<double>(joints.size());
+  errors.eq16_cm = 100 * errors.global / points / height;
+  errors.root /= 3 * frames * height * height;
+  errors.local /= 3 * points * height * height;
+  errors.global /= 3 * points * height * height;
+  errors.grip_cm = mean_grip_error_cm(predicted, coach);
+  errors.slide_cm_s = mean_slide_cm_s(predicted, find_foot_contacts(coach));
+  errors.jitter_m_s3 = mean_jitter(predicted, joints);
+  return errors;
+}
+
+Result<Evaluation> evaluate_retarget(const std::vector<CharacterMotion>& motions, RotationSource rotations,
+                                     const Progress& progress) {
+  std::vector<CharacterMotion> sampled;
+  std::map<std::string, std::vector<std::string>> characters_of_set;
+  for (const CharacterMotion& motion : motions) {
+    sampled.push_back({motion.character, motion.name, at_evaluation_rate(motion.motion)});
+    auto& characters = characters_of_set[joined(roles_of(motion.motion.skeleton()))];
+    if (std::find(characters.begin(), characters.end(), motion.character) == characters.end())
+      characters.push_back(motion.character);
+  }
+  Evaluation evaluation;
+  for (const auto& [joints, characters] : characters_of_set) {
+    std::string note;
+    for (const std::string& character : characters) note += (note.empty() ? "" : ", ") + character;
+    evaluation.notes.push_back(note + ": " +
+                               std::to_string(std::count(joints.begin(), joints.end(), ' ') + 1) +
+                               " joints: " + joints);
+  }
+  const std::vector<Pair> pairs = pairs_of(sampled, evaluation.notes);
+  if (pairs.empty())
+    return fail(ErrorCode::Incomplete, "no two characters share a motion of the same name and length");
+  constexpr std::array kMethods = {RetargetMethod::Rotation, RetargetMethod::Direction,
+                                   RetargetMethod::Scale};
+  double done = 0;
+  for (const RetargetMethod method : kMethods)
+    for (const Structure structure : {Structure::Intra, Structure::Cross})
+      for (const Contacts contacts : {Contacts::Off, Contacts::On}) {
+        std::vector<PairErrors> all;
+        for (const Pair& pair : pairs) {
+          if (pair.structure != structure) continue;
+          if (!report(progress, "retargeting", done++ / (6.0 * static_cast<double>(pairs.size()))))
+            return fail(ErrorCode::Cancelled, "the evaluation was interrupted");
+          const auto student =
+              retarget(pair.coach->motion, pair.truth->motion.skeleton(), {method, contacts, rotations});
+          if (!student)
+            return fail(student.error().code, pair.coach->character + " to " + pair.truth->character + ", " +
+                                                  pair.coach->name + ": " + student.error().message);
+          all.push_back(compare(student->motion, pair.truth->motion, pair.coach->motion));
+        }
+        if (!all.empty())
+          evaluation.rows.push_back(
+              {method, structure, contacts, rotations, static_cast<int>(all.size()), mean_of(all)});
+      }
+  return evaluation;
+}
+
+}  // namespace posecoach
