@@ -169,6 +169,22 @@ FootContacts find_foot_contacts(const Motion& coach) {
           contacts_of(coach, t_pose, floor, toe_of(coach.skeleton(), RightToe, RightAnkle))};
 }
 
+// The coach's ankle from his hip, in leg lengths, is the student's: his feet then go the coach's ways, and
+// standing ones stand already but for the width of the hips. Turns alone would not do it where thighs and
+// shins are proportioned differently.
+void step_like(const Motion& coach, const TPose& coach_t_pose, const Limb& coach_leg, PosedMotion& student,
+               const TPose& body_t_pose, const Limb& leg) {
+  const auto stretched = [](const TPose& t_pose, const Limb& limb) {
+    return glm::distance(t_pose.positions[index(limb.root)], t_pose.positions[index(limb.end)]);
+  };
+  const double ratio = stretched(body_t_pose, leg) / stretched(coach_t_pose, coach_leg);
+  const LimbReacher reacher(student, leg);
+  for (int f = 0; f < student.frame_count(); ++f) {
+    const Vec3 way = coach.position(f, coach_leg.end) - coach.position(f, coach_leg.root);
+    reacher.reach_for(student, f, student.position(f, leg.root) + ratio * way);
+  }
+}
+
 void plant_feet(const Motion& coach, PosedMotion& student) {
   const FootContacts contacts = find_foot_contacts(coach);
   if (contacts.left.empty() && contacts.right.empty()) return;
@@ -176,6 +192,8 @@ void plant_feet(const Motion& coach, PosedMotion& student) {
   const TPose coach_t_pose = make_t_pose(coach.skeleton()), body_t_pose = make_t_pose(body);
   const double floor = floor_height(coach, coach_t_pose) * hip_height(body, body_t_pose) /
                        hip_height(coach.skeleton(), coach_t_pose);
+  step_like(coach, coach_t_pose, left_leg(coach.skeleton()), student, body_t_pose, left_leg(body));
+  step_like(coach, coach_t_pose, right_leg(coach.skeleton()), student, body_t_pose, right_leg(body));
   const auto leg_of = [&](const Limb& limb, HumanoidJoint toe_role, HumanoidJoint ankle_role,
                           const std::vector<PlantedFoot>& planted) {
     const int toe = toe_of(body, toe_role, ankle_role);

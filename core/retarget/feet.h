@@ -21,7 +21,8 @@ struct FootContacts {
 // floor for at least 0.12 s. Speeds and heights count relative to the legs' length.
 FootContacts find_foot_contacts(const Motion& coach);
 
-// Each planted foot stands still on the student's floor; legs follow, then the hips where a leg is too short.
+// Ankles go the coach's ways in leg lengths, planted feet stand still on the student's floor; the legs
+// follow, and the hips where a leg is too short.
 void plant_feet(const Motion& coach, PosedMotion& student);
 
 }  // namespace posecoach
