@@ -35,6 +35,14 @@ Result<void> write_all(int descriptor, std::string_view bytes, const fs::path& p
 
 Result<AtomicFile> AtomicFile::create(const fs::path& path) {
   if (path == "-") return AtomicFile(STDOUT_FILENO, "standard output", {});
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    // Putting a file in the place of a device or a pipe would destroy it.
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return tl::unexpected(system_error("cannot open", path));
+    return AtomicFile(descriptor, path, {});
+  }
   fs::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return tl::unexpected(system_error("cannot create", path));
@@ -65,9 +73,8 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::abandon() {
-  if (descriptor_ < 0 || temporary_.empty()) return;
-  ::close(descriptor_);
-  ::unlink(temporary_.c_str());
+  if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) ::close(descriptor_);
+  if (descriptor_ >= 0 && !temporary_.empty()) ::unlink(temporary_.c_str());
   descriptor_ = -1;
 }
 

@@ -11,8 +11,8 @@ namespace posecoach {
 
 class AtomicFile {
  public:
-  // The path "-" is standard output, which cannot be taken back. Errors: Unreadable, NotFound (no such
-  // folder).
+  // The path "-" is standard output, which cannot be taken back; nor can what goes to a device or a pipe.
+  // Errors: Unreadable, NotFound (no such folder).
   static Result<AtomicFile> create(const std::filesystem::path& path);
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
@@ -29,7 +29,7 @@ class AtomicFile {
 
   int descriptor_ = -1;
   std::filesystem::path path_;
-  std::filesystem::path temporary_;  // empty for standard output
+  std::filesystem::path temporary_;  // empty where nothing is to be renamed
   std::string buffer_;
 };
 

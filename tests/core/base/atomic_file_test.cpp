@@ -33,5 +33,12 @@ TEST(AtomicFile, leaves_nothing_when_it_is_given_up) {
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
+TEST(AtomicFile, a_device_is_written_not_replaced) {
+  auto file = AtomicFile::create("/dev/null").value();
+  ASSERT_TRUE(file.write("x"));
+  ASSERT_TRUE(file.commit());
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
 }  // namespace
 }  // namespace posecoach
