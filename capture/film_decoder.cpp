@@ -1,0 +1,258 @@
+#include "capture/film_decoder.h"
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/dict.h>
+}
+
+#include <cstring>
+
+#include "capture/ffmpeg.h"
+
+namespace posecoach {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct FreeFormat {
+  void operator()(AVFormatContext* format) const { avformat_close_input(&format); }
+};
+struct FreeCodec {
+  void operator()(AVCodecContext* codec) const { avcodec_free_context(&codec); }
+};
+struct FreeFrame {
+  void operator()(AVFrame* frame) const { av_frame_free(&frame); }
+};
+struct FreePacket {
+  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+};
+using Format = std::unique_ptr<AVFormatContext, FreeFormat>;
+using Codec = std::unique_ptr<AVCodecContext, FreeCodec>;
+
+constexpr AVRational kNanoseconds = {1, 1'000'000'000};
+// Pictures above 8K would not fit the memory that we promise to keep to.
+constexpr std::int64_t kMostPixels = std::int64_t{7680} * 4320;
+
+Result<void> check_file(const fs::path& path) {
+  std::error_code reason;
+  const fs::file_status status = fs::status(path, reason);
+  if (status.type() == fs::file_type::not_found)
+    return fail(ErrorCode::NotFound, "cannot open " + path.string() + ": no such file");
+  if (reason) return fail(ErrorCode::Unreadable, "cannot open " + path.string() + ": " + reason.message());
+  if (!fs::is_regular_file(status))
+    return fail(ErrorCode::Unreadable, path.string() + " is not a film but a folder or a device");
+  if (fs::file_size(path, reason) == 0) return fail(ErrorCode::Malformed, path.string() + " is empty");
+  return {};
+}
+
+// FFmpeg "plays" plain text as a film of characters.
+bool is_text(AVCodecID codec) {
+  return codec == AV_CODEC_ID_ANSI || codec == AV_CODEC_ID_BINTEXT || codec == AV_CODEC_ID_XBIN ||
+         codec == AV_CODEC_ID_IDF;
+}
+
+Result<Format> open_format(const fs::path& path) {
+  const auto no_film = [&](int error) {
+    const std::string why = error == AVERROR(EACCES) || error == AVERROR(EPERM)
+                                ? "cannot be opened: " + ffmpeg_reason(error)
+                                : "is not a film that can be read (" + ffmpeg_reason(error) + ")";
+    return fail(error == AVERROR(EACCES) ? ErrorCode::Unreadable : ErrorCode::Malformed,
+                path.string() + " " + why);
+  };
+  AVDictionary* options = nullptr;
+  // A file that names other places must not make us go there.
+  av_dict_set(&options, "protocol_whitelist", "file", 0);
+  AVFormatContext* opened = nullptr;
+  const int result = avformat_open_input(&opened, ("file:" + path.string()).c_str(), nullptr, &options);
+  av_dict_free(&options);
+  if (result < 0) return no_film(result);
+  Format format(opened);
+  if (const int found = avformat_find_stream_info(format.get(), nullptr); found < 0) return no_film(found);
+  return format;
+}
+
+Result<AVStream*> find_pictures(const fs::path& path, AVFormatContext& format) {
+  bool has_sound = false;
+  AVStream* best = nullptr;
+  const int preferred = av_find_best_stream(&format, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+  for (unsigned i = 0; i < format.nb_streams; ++i) {
+    AVStream* stream = format.streams[i];
+    stream->discard = AVDISCARD_ALL;
+    has_sound |= stream->codecpar->codec_type == AVMEDIA_TYPE_AUDIO;
+    const bool is_film = stream->codecpar->codec_type == AVMEDIA_TYPE_VIDEO &&
+                         (stream->disposition & AV_DISPOSITION_ATTACHED_PIC) == 0 &&
+                         !is_text(stream->codecpar->codec_id);
+    if (is_film && (best == nullptr || static_cast<int>(i) == preferred)) best = stream;
+  }
+  if (best == nullptr && has_sound)
+    return fail(ErrorCode::Unsupported, path.string() + " holds sound but no pictures");
+  if (best == nullptr)
+    return fail(ErrorCode::Malformed, path.string() + " is not a film: it holds no pictures");
+  best->discard = AVDISCARD_DEFAULT;
+  return best;
+}
+
+Result<Codec> open_codec(const fs::path& path, const AVStream& stream) {
+  const AVCodecParameters& parameters = *stream.codecpar;
+  if (std::int64_t{parameters.width} * parameters.height > kMostPixels)
+    return fail(ErrorCode::Unsupported,
+                path.string() + " has pictures of " + std::to_string(parameters.width) + "x" +
+                    std::to_string(parameters.height) + " pixels; at most 7680x4320 are supported");
+  const AVCodec* decoder = avcodec_find_decoder(parameters.codec_id);
+  if (decoder == nullptr)
+    return fail(ErrorCode::Unsupported, path.string() + " is compressed as " +
+                                            avcodec_get_name(parameters.codec_id) +
+                                            ", which cannot be decoded here");
+  Codec codec(avcodec_alloc_context3(decoder));
+  avcodec_parameters_to_context(codec.get(), &parameters);
+  codec->pkt_timebase = stream.time_base;
+  codec->max_pixels = kMostPixels;
+  codec->thread_count = 2;
+  if (const int opened = avcodec_open2(codec.get(), decoder, nullptr); opened < 0)
+    return fail(ErrorCode::Unsupported, path.string() + " cannot be decoded: " + ffmpeg_reason(opened));
+  return codec;
+}
+
+Orientation orientation_of(const AVStream& stream) {
+  std::size_t size = 0;
+  const std::uint8_t* data = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &size);
+  if (data == nullptr || size < 9 * sizeof(std::int32_t)) return {};
+  std::int32_t matrix[9] = {};
+  std::memcpy(matrix, data, sizeof matrix);
+  return orientation_from_matrix(matrix[0], matrix[1], matrix[3], matrix[4]);
+}
+
+// The first moment of pictures or sound.
+std::optional<Duration> start_of(const AVFormatContext& format) {
+  std::optional<Duration> start;
+  for (unsigned i = 0; i < format.nb_streams; ++i) {
+    const AVStream& stream = *format.streams[i];
+    const bool counts = stream.codecpar->codec_type == AVMEDIA_TYPE_VIDEO ||
+                        stream.codecpar->codec_type == AVMEDIA_TYPE_AUDIO;
+    if (!counts || stream.start_time == AV_NOPTS_VALUE ||
+        (stream.disposition & AV_DISPOSITION_ATTACHED_PIC) != 0)
+      continue;
+    const Duration begins(av_rescale_q(stream.start_time, stream.time_base, kNanoseconds));
+    if (!start || begins < *start) start = begins;
+  }
+  return start;
+}
+
+}  // namespace
+
+class FilmDecoder::Implementation {
+ public:
+  Implementation(Format format, Codec codec, const AVStream& stream)
+      : format_(std::move(format)),
+        codec_(std::move(codec)),
+        stream_(stream),
+        frame_(av_frame_alloc()),
+        packet_(av_packet_alloc()),
+        start_(start_of(*format_)) {
+    facts_.orientation = orientation_of(stream);
+    const AVRational rate = av_guess_frame_rate(format_.get(), format_->streams[stream.index], nullptr);
+    facts_.nominal_fps = rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0;
+    if (stream.nb_frames > 0) facts_.frame_count = static_cast<std::size_t>(stream.nb_frames);
+  }
+
+  std::optional<DecodedPicture> next() {
+    while (true) {
+      const int received = avcodec_receive_frame(codec_.get(), frame_.get());
+      if (received == 0) {
+        ++decoded_;
+        damaged_ |= frame_->decode_error_flags != 0 || (frame_->flags & AV_FRAME_FLAG_CORRUPT) != 0;
+        return DecodedPicture{frame_.get(), next_time()};
+      }
+      if (received == AVERROR_EOF) {
+        // Edit lists may hide a few pictures of a healthy film.
+        damaged_ |= facts_.frame_count && decoded_ + decoded_ / 10 + 2 < *facts_.frame_count;
+        return std::nullopt;
+      }
+      if (received != AVERROR(EAGAIN)) damaged_ = true;
+      feed();
+    }
+  }
+
+  const FilmFacts& facts() const { return facts_; }
+  bool is_damaged() const { return damaged_; }
+
+ private:
+  void feed() {
+    while (!at_end_) {
+      const int read = av_read_frame(format_.get(), packet_.get());
+      if (read < 0) {
+        at_end_ = true;
+        damaged_ |= read != AVERROR_EOF;
+        break;
+      }
+      const bool ours = packet_->stream_index == stream_.index;
+      const int sent = ours ? avcodec_send_packet(codec_.get(), packet_.get()) : 0;
+      damaged_ |= ours && (sent < 0 || (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0);
+      av_packet_unref(packet_.get());
+      if (ours && sent == 0) return;
+    }
+    avcodec_send_packet(codec_.get(), nullptr);
+  }
+
+  MediaTime next_time() {
+    const Duration step = facts_.nominal_fps > 0 ? duration_from_seconds(1 / facts_.nominal_fps)
+                                                 : Duration(std::chrono::milliseconds(40));
+    const std::int64_t stamp = frame_->best_effort_timestamp;
+    if (stamp == AV_NOPTS_VALUE) {
+      last_ = last_ ? *last_ + step : MediaTime();  // a bare stream without any clock
+      return *last_;
+    }
+    const Duration at(av_rescale_q(stamp, stream_.time_base, kNanoseconds));
+    if (!start_) start_ = at;
+    MediaTime time(std::max(Duration::zero(), at - *start_));
+    // Damaged films repeat stamps or go back; motions need time to go on.
+    if (last_ && time <= *last_) time = *last_ + Duration(std::chrono::microseconds(1));
+    last_ = time;
+    return time;
+  }
+
+  Format format_;
+  Codec codec_;
+  const AVStream& stream_;
+  std::unique_ptr<AVFrame, FreeFrame> frame_;
+  std::unique_ptr<AVPacket, FreePacket> packet_;
+  FilmFacts facts_;
+  std::optional<Duration> start_;
+  std::optional<MediaTime> last_;
+  std::size_t decoded_ = 0;
+  bool at_end_ = false;
+  bool damaged_ = false;
+};
+
+FilmDecoder::FilmDecoder(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+FilmDecoder::~FilmDecoder() = default;
+
+Result<std::unique_ptr<FilmDecoder>> FilmDecoder::open(const fs::path& path) {
+  keep_ffmpeg_quiet();
+  if (const auto good = check_file(path); !good) return tl::unexpected(good.error());
+  auto format = open_format(path);
+  if (!format) return tl::unexpected(format.error());
+  const auto stream = find_pictures(path, **format);
+  if (!stream) return tl::unexpected(stream.error());
+  auto codec = open_codec(path, **stream);
+  if (!codec) return tl::unexpected(codec.error());
+  const AVStream& pictures = **stream;
+  return std::unique_ptr<FilmDecoder>(
+      new FilmDecoder(std::make_unique<Implementation>(std::move(*format), std::move(*codec), pictures)));
+}
+
+const FilmFacts& FilmDecoder::facts() const {
+  return implementation_->facts();
+}
+
+std::optional<DecodedPicture> FilmDecoder::next() {
+  return implementation_->next();
+}
+
+bool FilmDecoder::is_damaged() const {
+  return implementation_->is_damaged();
+}
+
+}  // namespace posecoach
