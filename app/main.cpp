@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "app/bench_command.h"
 #include "app/commands.h"
+#include "app/evaluate_pose_command.h"
+#include "app/pose_command.h"
 
 namespace posecoach {
 namespace {
@@ -10,6 +13,12 @@ int run(int argc, char** argv) {
   CLI::App cli("Virtual Pose Coach: your coach's motion in your own body", "posecoach");
   Action action;
   cli.require_subcommand(0, 1);
+  add_pose_command(cli, action);
+  CLI::App* evaluate =
+      cli.add_subcommand("evaluate", "How good the parts are, against data with known answers");
+  evaluate->require_subcommand(1);
+  add_evaluate_pose_command(*evaluate, action);
+  add_bench_command(cli, action);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

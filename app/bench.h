@@ -1,0 +1,34 @@
+// What the parts of `bench` share. Each part measures its own stages and adds rows.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace posecoach {
+
+struct BenchRow {
+  std::string name;
+  double median_ms = 0;
+  double min_ms = 0;
+  std::size_t n = 0;
+};
+
+struct BenchOptions {
+  std::string film;    // a real film for the stages that need one; empty: made-up pictures
+  std::string models;  // folder of the pose networks; empty: the usual places
+};
+
+// Median and minimum of the times.
+BenchRow make_bench_row(std::string name, std::vector<double> times_ms);
+
+// Runs `work` twice to warm up, then `n` times on the calling thread.
+BenchRow measure(std::string name, std::size_t n, const std::function<void()>& work);
+
+double milliseconds_of(const std::function<void()>& work);
+
+Result<void> bench_vision(const BenchOptions& options, std::vector<BenchRow>& rows);
+
+}  // namespace posecoach
