@@ -103,11 +103,9 @@ std::array<Vec3, kLandmarkCount> on_rays(const SeenPerson& person, double depth,
 View view_of(const Motion& motion, const PinholeCamera& camera, std::span<const std::size_t> still) {
   const Skeleton& body = motion.skeleton();
   const auto at = [&](int frame, HumanoidJoint role) { return motion.position(frame, body.find(role)); };
-  // The first still frames: the address. At the finish a golfer faces the target.
-  const std::size_t count = std::max<std::size_t>(1, still.size() / 3);
   Vec3 facing(0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const int frame = static_cast<int>(still[i]);
+  for (const std::size_t i : still) {
+    const int frame = static_cast<int>(i);
     const Vec3 across = at(frame, HumanoidJoint::LeftHip) - at(frame, HumanoidJoint::RightHip) +
                         at(frame, HumanoidJoint::LeftShoulder) - at(frame, HumanoidJoint::RightShoulder);
     const Vec3 front = glm::cross(across, Vec3(0, 1, 0));

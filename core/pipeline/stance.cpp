@@ -57,22 +57,28 @@ Vec3 foot_centre(FramePositions frame) {
          (at(frame, LeftHeel) + at(frame, RightHeel) + at(frame, LeftFootIndex) + at(frame, RightFootIndex));
 }
 
-// The third of the frames in which wrists and hips move least; all of them in a very short film.
+double wrist_and_hip_speed(std::span<const Vec3> positions, std::size_t frame) {
+  const std::size_t frames = positions.size() / kJoints;
+  const std::size_t before = frame > 2 ? frame - 2 : 0, after = std::min(frames - 1, frame + 2);
+  double sum = 0;
+  for (const Landmark landmark :
+       {Landmark::LeftWrist, Landmark::RightWrist, Landmark::LeftHip, Landmark::RightHip})
+    sum += glm::distance(at(frame_of(positions, before), landmark), at(frame_of(positions, after), landmark));
+  return sum / static_cast<double>(after - before);
+}
+
+// Before the fastest moment of the film (a golfer stands on both feet until he has hit the ball, and on one
+// afterwards), the third of the frames in which wrists and hips move least; all of them in a very short film.
 std::vector<std::size_t> still_frames(std::span<const Vec3> positions, std::size_t frames) {
   std::vector<std::size_t> order(frames);
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (frames < 6) return order;
-  std::vector<double> motion(frames, 0.0);
-  for (std::size_t f = 0; f < frames; ++f) {
-    const std::size_t before = f > 2 ? f - 2 : 0, after = std::min(frames - 1, f + 2);
-    for (const Landmark landmark :
-         {Landmark::LeftWrist, Landmark::RightWrist, Landmark::LeftHip, Landmark::RightHip})
-      motion[f] +=
-          glm::distance(at(frame_of(positions, before), landmark), at(frame_of(positions, after), landmark)) /
-          static_cast<double>(after - before);
-  }
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return motion[a] < motion[b]; });
-  order.resize(std::max<std::size_t>(3, frames / 3));
+  std::vector<double> speed;
+  for (std::size_t f = 0; f < frames; ++f) speed.push_back(wrist_and_hip_speed(positions, f));
+  const auto fastest = static_cast<std::size_t>(std::max_element(speed.begin(), speed.end()) - speed.begin());
+  order.resize(std::max<std::size_t>(fastest, 6));
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return speed[a] < speed[b]; });
+  order.resize(std::max<std::size_t>(3, order.size() / 3));
   std::sort(order.begin(), order.end());
   return order;
 }
@@ -101,7 +107,7 @@ std::optional<Tilt> tilt_of_feet(const std::array<Vec3, 4>& feet) {
 
 // How far each witness may be off, degrees: cameras stand level but look down at a person; a balanced body is
 // over its feet to a hand's breadth; the model's depth of toes and heels is poor.
-constexpr double kLevelPitch = 7, kLevelRoll = 2.5, kBalance = 4, kFeet = 8;
+constexpr double kLevelPitch = 8, kLevelRoll = 2.5, kBalance = 4, kFeet = 10;
 
 Tilt combined_tilt(const Tilt& balance, const std::optional<Tilt>& feet) {
   const auto weigh = [](double sigma) { return 1 / (sigma * sigma); };

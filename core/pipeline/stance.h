@@ -12,7 +12,7 @@ namespace posecoach {
 struct Stance {
   Mat3 world_from_camera{1.0};            // rotation: +Y up, +Z horizontally towards the camera
   Vec3 origin;                            // on the floor under the person, camera axes, metres
-  std::vector<std::size_t> still_frames;  // where the person moves least, in order of time
+  std::vector<std::size_t> still_frames;  // where he stands at address, in order of time
 };
 
 // `positions` frame-major, joints of the webcam body, camera axes (+Y down, +Z away), metres; at least one
