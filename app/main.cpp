@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/evaluate_pose_command.h"
 #include "app/pose_command.h"
+#include "app/simulate_command.h"
 
 namespace posecoach {
 namespace {
@@ -18,6 +19,7 @@ int run(int argc, char** argv) {
       cli.add_subcommand("evaluate", "How good the parts are, against data with known answers");
   evaluate->require_subcommand(1);
   add_evaluate_pose_command(*evaluate, action);
+  add_simulate_command(cli, action);
   add_bench_command(cli, action);
   try {
     cli.parse(argc, argv);

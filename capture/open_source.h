@@ -8,7 +8,8 @@
 
 namespace posecoach {
 
-// A film or a folder of pictures. Errors: those of the source.
+// A film, a folder of pictures, or the simulated student (simulated_source.h). Errors: those of the source;
+// Unsupported for cameras.
 Result<std::unique_ptr<FrameSource>> open_source(const std::string& name);
 
 }  // namespace posecoach

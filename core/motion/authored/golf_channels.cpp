@@ -22,6 +22,7 @@ constexpr std::array<std::string_view, kGolfChannelCount> kNames = {
     "trail_shoulder_up_deg",
     "hands_angle_deg",
     "hands_plane_deg",
+    "hands_out_deg",
     "lead_elbow_deg",
     "trail_elbow_deg",
     "lead_elbow_out",

@@ -34,6 +34,7 @@ enum class GolfChannel : unsigned char {
   TrailShoulderUp,
   HandsAngle,  // of the line from between the shoulders to the grip
   HandsPlane,
+  HandsOut,   // degrees by which that line is pushed out towards the ball
   LeadElbow,  // degrees of bend that the arm keeps at least; the straighter arm carries the grip
   TrailElbow,
   LeadElbowOut,  // where the elbow points, in the chest's axes: away from the middle, down, back
@@ -51,7 +52,7 @@ enum class GolfChannel : unsigned char {
   TrailHeelLift,  // degrees of the foot about the ball of the toes
   TrailFootSpin,  // degrees of the foot on the ball of the toes, towards the target
 };
-inline constexpr std::size_t kGolfChannelCount = 34;
+inline constexpr std::size_t kGolfChannelCount = 35;
 
 // "pelvis_turn_deg", "pelvis_sway_cm", ... as written in files.
 std::string_view to_string(GolfChannel channel);

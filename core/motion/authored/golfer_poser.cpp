@@ -197,7 +197,8 @@ void GolferPoser::place_head(const GolfPose& numbers, std::vector<Quat>& global)
 GolferPoser::Grip GolferPoser::place_grip(const GolfPose& numbers,
                                           const std::array<Vec3, 2>& shoulders) const {
   const Vec3 hub = 0.5 * (shoulders[0] + shoulders[1]);
-  const Vec3 to_hands = direction_in_plane(numbers[HandsAngle], numbers[HandsPlane]);
+  const Vec3 to_hands = glm::normalize(direction_in_plane(numbers[HandsAngle], numbers[HandsPlane]) +
+                                       Vec3(0, 0, std::tan(radians_from_degrees(numbers[HandsOut]))));
   const double angle = radians_from_degrees(numbers[ClubAngle]);
   // The body's own lie counts where the club is low.
   const double plane_deg = numbers[ClubPlane] + lie_offset_deg_ * 0.5 * (1 + std::cos(angle));
