@@ -19,6 +19,8 @@ struct Score {
   double raw = 0;  // the paper's §3.4: summed joint position error along the DTW path; lower is better
   double mean_joint_error_m = 0;  // the same per path step and joint
   double percent = 100;           // 0 to 100; formula in docs/SCORE.md
+  double plus_minus = 0;          // of percent: what doubt about the student's joints leaves open
+  int joints_compared = 0;        // raw = mean_joint_error_m * joints_compared * pairs of the path
 };
 
 struct JointError {
@@ -36,7 +38,9 @@ struct SwingEvent {
 struct TimingAdvice {
   std::string from, to;  // events
   double coach_s = 0, student_s = 0;
-  double ratio = 1;  // student_s / coach_s
+  double ratio = 1;       // student_s / coach_s
+  double plus_minus = 0;  // of the ratio, from frame rates and noise
+  double path_ratio = 1;  // student's over coach's time along the path between the same events
   std::string advice;
 };
 
@@ -45,6 +49,9 @@ struct SpatialAdvice {
   int student_frame = 0, coach_frame = 0;
   Vec3 offset_m;  // student minus coach, in the coach's facing: +X his left, +Y up, +Z his front
   double distance_m = 0;
+  double turn_deg = 0;  // where a turn or a bend differs rather than a place: student minus coach
+  double share = 0;     // of the joint error at this event that would be gone without it, 0 to 1
+  double severity = 0;  // in units of what counts as a clear difference
   std::string advice;
 };
 
@@ -53,7 +60,9 @@ struct Metric {
   double value = 0, plus_minus = 0;
   std::string unit;  // "", "deg", "cm", "s", "%"
   bool available = false;
-  std::string reason;  // why not available
+  std::string reason;           // why not available
+  std::optional<double> coach;  // the same of the coach, in the student's body
+  std::string definition;       // one line, with the source of its usual range where there is one
 };
 
 enum class AdviceKind { Timing, Spatial, None };
@@ -62,6 +71,7 @@ struct Advice {
   AdviceKind kind = AdviceKind::None;
   std::string text;
   int student_frame = 0, coach_frame = 0;
+  double severity = 0;  // in units of what counts as a clear difference
 };
 
 // A frame pair worth looking at, worst first.
@@ -75,7 +85,7 @@ struct MotionSummary {
   int frames = 0;
   double seconds = 0;
   int joints = 0;
-  std::optional<Handedness> hand;  // the student's
+  std::optional<Handedness> hand;
 };
 
 struct Analysis {
@@ -87,7 +97,10 @@ struct Analysis {
   std::vector<double> path_error_m;       // mean joint error of each path step
   std::vector<JointError> joint_errors;   // worst first
   std::vector<FramePair> worst_frames;    // at most 5, apart from each other in time
+  std::string stroke;                     // "full swing" or "putt"
   std::vector<SwingEvent> student_events, coach_events;
+  double student_takeaway_s = 0, coach_takeaway_s = 0;  // the backswing starts here, not at address
+  double coach_yaw = 0;  // turn about +Y, radians, that makes the coach face as the student does
   std::vector<TimingAdvice> timing;
   std::vector<SpatialAdvice> spatial;
   std::vector<Metric> metrics;

@@ -1,0 +1,178 @@
+#include "core/coaching/advice_text.h"
+
+#include <fmt/core.h>
+#include <array>
+#include <cmath>
+
+namespace posecoach::text {
+namespace {
+
+std::string centimetres(double metres) {
+  return fmt::format("{:.0f} cm", std::abs(metres) * 100);
+}
+
+std::string degrees(double value) {
+  return fmt::format("{:.0f}°", std::abs(value));
+}
+
+// The direction of the largest part of an offset (target, up, ball) that the view can see.
+std::string way(const Vec3& offset, Viewpoint view) {
+  const double target = sees_target_direction(view) ? offset.x : 0;
+  const double ball = sees_ball_direction(view) ? offset.z : 0;
+  const double up = offset.y;
+  if (std::abs(up) >= std::abs(target) && std::abs(up) >= std::abs(ball))
+    return up > 0 ? "too high" : "too low";
+  if (std::abs(target) >= std::abs(ball))
+    return target > 0 ? "too far toward the target" : "too far from the target";
+  return ball > 0 ? "too close to the ball" : "too far from the ball";
+}
+
+std::string place(const char* what, const char* is, const Vec3& offset, Viewpoint view) {
+  const Vec3 seen(sees_target_direction(view) ? offset.x : 0, offset.y,
+                  sees_ball_direction(view) ? offset.z : 0);
+  return fmt::format("{} {} {} {}", what, is,
+                     centimetres(std::sqrt(seen.x * seen.x + seen.y * seen.y + seen.z * seen.z)),
+                     way(offset, view));
+}
+
+std::string bend(const char* what, double amount) {
+  return fmt::format("{} is bent {} {} than the coach's", what, degrees(amount),
+                     amount > 0 ? "more" : "less");
+}
+
+std::string turn(const char* what, double amount, std::string_view event) {
+  // Before the ball the turn goes away from the target, after it towards it.
+  const bool back = event == "address" || event == "toe_up" || event == "mid_backswing" || event == "top";
+  const bool less = back ? amount > 0 : amount < 0;
+  return fmt::format(
+      "{} are turned {} {} than the coach's", what, degrees(amount),
+      event == "address" ? (amount > 0 ? "more open" : "more closed") : (less ? "less" : "more"));
+}
+
+std::string body_part(const PartDifference& d, std::string_view event, Viewpoint view) {
+  switch (d.feature) {
+    case Feature::HipsToTarget:
+    case Feature::HipsUp:
+    case Feature::HipsToBall:
+      return place("your hips", "are", d.offset, view);
+    case Feature::ChestToTarget:
+      return fmt::format("your upper body leans {} too far {}", centimetres(d.amount),
+                         d.amount > 0 ? "toward the target" : "away from the target");
+    case Feature::ChestUp:
+      return d.amount > 0 ? fmt::format("your back is {} too upright", centimetres(d.amount))
+                          : fmt::format("you are bent over {} too low", centimetres(d.amount));
+    case Feature::ChestToBall:
+      return fmt::format("your upper body is bent {} too {}", centimetres(d.amount),
+                         d.amount > 0 ? "far forward" : "little forward: you are standing up");
+    case Feature::HeadToTarget:
+    case Feature::HeadUp:
+    case Feature::HeadToBall:
+      return place("your head", "is", d.offset, view);
+    case Feature::HipTurn:
+      return turn("your hips", d.amount, event);
+    case Feature::ShoulderTurn:
+      return turn("your shoulders", d.amount, event);
+    case Feature::ShoulderTilt:
+      if (event == "top")
+        return fmt::format("your shoulders are tilted {} too {}", degrees(d.amount),
+                           d.amount > 0 ? "little: they turn flat" : "much: they turn steep");
+      return fmt::format("your lead shoulder is {} too {}", degrees(d.amount), d.amount > 0 ? "high" : "low");
+    case Feature::LeadElbowPlace:
+      return place("your lead elbow", "is", d.offset, view);
+    case Feature::TrailElbowPlace:
+      return place("your trail elbow", "is", d.offset, view);
+    case Feature::LeadArmBend:
+      return bend("your lead arm", d.amount);
+    case Feature::TrailArmBend:
+      return bend("your trail arm", d.amount);
+    case Feature::HandsPlace:
+      return place("your hands", "are", d.offset, view);
+    case Feature::HandsToBall:
+      return fmt::format("your hands are {} too {} the ball{}", centimetres(d.amount),
+                         d.amount > 0 ? "close to" : "far from",
+                         d.amount > 0 ? ": they come over the top" : "");
+    case Feature::LeadKneeBend:
+      return bend("your lead knee", d.amount);
+    case Feature::TrailKneeBend:
+      return bend("your trail knee", d.amount);
+    case Feature::StanceWidth:
+      return fmt::format("your feet stand {} too {}", centimetres(d.amount),
+                         d.amount > 0 ? "wide" : "narrow");
+  }
+  return {};
+}
+
+struct Names {
+  std::string_view key, words;
+};
+
+constexpr std::array kMoments = {Names{"address", "at address"},
+                                 Names{"toe_up", "early in the backswing"},
+                                 Names{"mid_backswing", "halfway back"},
+                                 Names{"top", "at the top"},
+                                 Names{"mid_downswing", "halfway down"},
+                                 Names{"impact", "at impact"},
+                                 Names{"mid_follow_through", "after impact"},
+                                 Names{"finish", "at the finish"},
+                                 Names{"end", "at the end of the stroke"}};
+
+}  // namespace
+
+std::string_view moment(std::string_view event) {
+  for (const Names& names : kMoments)
+    if (names.key == event) return names.words;
+  return event;
+}
+
+std::string_view phase(std::string_view from, std::string_view to) {
+  if (to == "top") return "backswing";
+  if (from == "top" && to == "mid_downswing") return "transition";
+  if (to == "impact") return "downswing";
+  if (from == "impact") return "follow-through";
+  return "swing";
+}
+
+std::string spatial(const PartDifference& difference, std::string_view event, Viewpoint view) {
+  std::string sentence(moment(event));
+  sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
+  return sentence + ", " + body_part(difference, event, view) + ".";
+}
+
+std::string timing(const TimingAdvice& t, double relative_ratio, bool is_clear, bool in_proportion) {
+  const std::string name(phase(t.from, t.to));
+  const std::string times =
+      fmt::format("Your {} takes {:.2f} s, the coach's {:.2f} s", name, t.student_s, t.coach_s);
+  if (!is_clear) return times + (in_proportion ? ": in proportion about the same." : ": about the same.");
+  const double percent = 100 * std::abs(relative_ratio - 1);
+  return times + fmt::format(": {}{:.0f} % too {}.", in_proportion ? "in proportion to your swing " : "",
+                             percent, relative_ratio < 1 ? "quick" : "slow");
+}
+
+std::string no_clear_difference() {
+  return "No clear difference from the coach was found.";
+}
+
+std::string other_pace(double ratio, bool is_film) {
+  if (ratio < 1)
+    return fmt::format(
+        "The whole swing takes only {:.0f} % of the coach's time; its parts are compared in proportion.",
+        100 * ratio);
+  return fmt::format(
+      "The whole swing takes {:.1f} times as long as the coach's: {}; its parts are compared in proportion.",
+      ratio, is_film ? "a slow swing or a film in slow motion" : "a slow swing");
+}
+
+std::string hidden_by_view(Viewpoint view) {
+  return view == Viewpoint::FaceOn ? "not visible from face-on: film down the line for it"
+                                   : "not visible from down the line: film face-on for it";
+}
+
+std::string too_few_frames(double frame_rate) {
+  return fmt::format("too few frames a second ({:.0f}) for it", frame_rate);
+}
+
+std::string hidden_joints(std::string_view what) {
+  return std::string(what) + " hidden from the camera at that moment";
+}
+
+}  // namespace posecoach::text

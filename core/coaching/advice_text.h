@@ -1,0 +1,35 @@
+// Every sentence that coaching says, in one place: plain and short, lead and trail instead of left and right,
+// so that a mirrored swing reads the same.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/coaching/analysis.h"
+#include "core/coaching/part_differences.h"
+#include "core/coaching/viewpoint.h"
+
+namespace posecoach::text {
+
+// "At the top, your lead arm is bent 24° more than the coach's." `offset` as in PartDifference; directions
+// that `view` cannot see are not named.
+std::string spatial(const PartDifference& difference, std::string_view event, Viewpoint view);
+
+// "Your downswing takes 0.20 s, the coach's 0.30 s: 33 % too quick."
+std::string timing(const TimingAdvice& timing, double relative_ratio, bool is_clear, bool in_proportion);
+
+std::string no_clear_difference();
+// The swing as a whole takes `ratio` times as long as the coach's.
+std::string other_pace(double ratio, bool is_film);
+std::string summary_headline(const Analysis& analysis);
+
+// "backswing", "downswing", "follow-through", "stroke", from the events that bound it.
+std::string_view phase(std::string_view from, std::string_view to);
+// "at the top"
+std::string_view moment(std::string_view event);
+// Why a metric cannot be given.
+std::string hidden_by_view(Viewpoint view);
+std::string too_few_frames(double frame_rate);
+std::string hidden_joints(std::string_view what);
+
+}  // namespace posecoach::text

@@ -1,0 +1,166 @@
+#include "core/coaching/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/coaching/advice_text.h"
+#include "core/coaching/alignment.h"
+#include "core/coaching/metrics.h"
+#include "core/coaching/score.h"
+#include "core/coaching/spatial_advice.h"
+#include "core/coaching/timing_advice.h"
+
+namespace posecoach {
+namespace {
+
+constexpr std::size_t kMostAdvice = 3;
+constexpr double kWorstFramesApart_s = 0.1;
+constexpr double kTransitionIsCause = 1.3;
+// Below this score the coach's motion was not found in a film without events: it shows something else.
+constexpr double kLeastPercentWithoutEvents = 30;
+
+// A motion as a right-hander's, with its events; or why there are none.
+struct Side {
+  JointTrack track;
+  Handedness hand = Handedness::Right;
+  std::optional<SwingEvents> events;
+  std::string reason;
+};
+
+Result<Side> make_side(const Motion& motion, std::optional<Handedness> hand) {
+  Result<JointTrack> track = JointTrack::from_motion(motion);
+  if (!track) return tl::unexpected(track.error());
+  Side side{*std::move(track), hand.value_or(Handedness::Right), std::nullopt, {}};
+  Result<SwingEvents> events = find_swing_events(side.track, {hand});
+  if (events && events->hand == Handedness::Left) {
+    side.hand = Handedness::Left;
+    side.track = side.track.mirrored();
+    events = find_swing_events(side.track, {Handedness::Right});
+  } else if (!events && side.hand == Handedness::Left) {
+    side.track = side.track.mirrored();
+  }
+  if (events)
+    side.events = *std::move(events);
+  else
+    side.reason = events.error().message;
+  return side;
+}
+
+TimeWindow stroke_window(const SwingEvents& events) {
+  return {events.events.front().time_s, events.events.back().time_s};
+}
+
+void mirror_names(Analysis& analysis) {
+  const auto mirror = [](std::string& joint) {
+    if (const auto role = humanoid_joint_from_string(joint)) joint = to_string(mirrored(*role));
+  };
+  for (JointError& error : analysis.joint_errors) mirror(error.joint);
+  for (SpatialAdvice& advice : analysis.spatial) {
+    mirror(advice.joint);
+    advice.offset_m.x = -advice.offset_m.x;
+  }
+}
+
+// The transition is part of the downswing: one of the two is told, the transition only when it is the cause.
+bool is_part_of_worse(const TimingResult& timing, std::size_t k) {
+  const auto weight = [&](std::size_t phase) {
+    return timing.severity[phase] * (timing.phases[phase].to == "impact" ? kTransitionIsCause : 1);
+  };
+  for (std::size_t other = 0; other < timing.phases.size(); ++other)
+    if (other != k && timing.phases[other].from == timing.phases[k].from && weight(other) > weight(k))
+      return true;
+  return false;
+}
+
+std::vector<Advice> most_important(const Analysis& analysis, const TimingResult& timing, const Side& student,
+                                   const Side& coach) {
+  std::vector<Advice> all;
+  for (std::size_t k = 0; k < timing.phases.size(); ++k) {
+    const TimingAdvice& phase = timing.phases[k];
+    if (timing.severity[k] < 1 || is_part_of_worse(timing, k)) continue;
+    all.push_back({AdviceKind::Timing, phase.advice,
+                   student.track.nearest_frame(student.events->time_of(phase.to)),
+                   coach.track.nearest_frame(coach.events->time_of(phase.to)), timing.severity[k]});
+  }
+  for (const SpatialAdvice& spatial : analysis.spatial)
+    all.push_back(
+        {AdviceKind::Spatial, spatial.advice, spatial.student_frame, spatial.coach_frame, spatial.severity});
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Advice& a, const Advice& b) { return a.severity > b.severity; });
+  if (all.size() > kMostAdvice) all.resize(kMostAdvice);
+  if (all.empty() && !analysis.path.empty())
+    all.push_back({AdviceKind::None, text::no_clear_difference(), analysis.path.front().first,
+                   analysis.path.front().second, 0});
+  return all;
+}
+
+void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrack& student) {
+  analysis.score = score_of(alignment);
+  analysis.path = alignment.path;
+  analysis.path_error_m = alignment.path_error_m;
+  analysis.joint_errors = joint_errors_of(alignment);
+  analysis.worst_frames = worst_frames_of(alignment, student, kWorstFramesApart_s);
+}
+
+void add_strokes(Analysis& analysis, const Side& student, const Side& coach, const Alignment& alignment,
+                 Viewpoint view) {
+  const JointTrack turned_coach =
+      coach.track.mapped([&](const Vec3& p) { return turned(p, alignment.coach_yaw); });
+  const ComparedSwings swings{student.track, *student.events, turned_coach, *coach.events, view};
+  analysis.student_events = student.events->events;
+  analysis.student_takeaway_s = student.events->takeaway_s;
+  TimingResult timing = find_timing_advice(swings, alignment);
+  if (timing.in_proportion) analysis.notes.push_back(text::other_pace(timing.pace, is_one_camera(view)));
+  analysis.spatial = find_spatial_advice(swings, kMostAdvice);
+  analysis.metrics = measure_swing(swings);
+  analysis.advice = most_important(analysis, timing, student, coach);
+  analysis.timing = std::move(timing.phases);
+}
+
+}  // namespace
+
+Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motion,
+                         const CompareOptions& options) {
+  const Result<Side> student = make_side(student_motion, options.hand);
+  if (!student) return fail(student.error().code, "the student's motion: " + student.error().message);
+  const Result<Side> coach = make_side(coach_motion, std::nullopt);
+  if (!coach) return fail(coach.error().code, "the coach's motion: " + coach.error().message);
+  if (!coach->events) return fail(ErrorCode::Incomplete, "the coach's motion: " + coach->reason);
+  if (student->events && student->events->kind != coach->events->kind)
+    return fail(ErrorCode::Incomplete, "the student's motion is a " +
+                                           std::string(to_string(student->events->kind)) +
+                                           ", the coach's a " + std::string(to_string(coach->events->kind)) +
+                                           "; choose a coach's motion of the same kind");
+  const TimeWindow coach_window = stroke_window(*coach->events);
+  const Alignment alignment =
+      student->events ? align(student->track, coach->track, stroke_window(*student->events), coach_window)
+                      : align_anywhere(student->track, coach->track, coach_window);
+  Analysis analysis;
+  analysis.stroke = to_string(coach->events->kind);
+  analysis.coach.frames = coach_motion.frame_count();
+  analysis.coach.seconds = to_seconds(coach_motion.duration());
+  analysis.coach.joints = coach_motion.joint_count();
+  analysis.coach.hand = coach->hand;
+  analysis.student.frames = student_motion.frame_count();
+  analysis.student.seconds = to_seconds(student_motion.duration());
+  analysis.student.joints = student_motion.joint_count();
+  analysis.student.hand = student->hand;
+  analysis.coach_events = coach->events->events;
+  analysis.coach_takeaway_s = coach->events->takeaway_s;
+  analysis.coach_yaw = student->hand == Handedness::Left ? -alignment.coach_yaw : alignment.coach_yaw;
+  add_aligned(analysis, alignment, student->track);
+  if (student->events) {
+    add_strokes(analysis, *student, *coach, alignment, options.view);
+  } else if (analysis.score.percent < kLeastPercentWithoutEvents) {
+    return fail(ErrorCode::Incomplete, "the student's motion: " + student->reason);
+  } else {
+    analysis.notes.push_back("The student's swing could not be divided into its parts: " + student->reason +
+                             ".");
+    analysis.advice = most_important(analysis, {}, *student, *coach);
+  }
+  if (student->hand == Handedness::Left) mirror_names(analysis);
+  return analysis;
+}
+
+}  // namespace posecoach

@@ -1,0 +1,27 @@
+// The whole of coaching: two motions in, everything that is to be said about them out.
+#pragma once
+
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/coaching/analysis.h"
+#include "core/coaching/swing_events.h"
+#include "core/coaching/viewpoint.h"
+#include "core/motion/motion.h"
+
+namespace posecoach {
+
+struct CompareOptions {
+  std::optional<Handedness> hand = {};  // the student's; detected when not given
+  Viewpoint view = Viewpoint::AllSides;
+};
+
+// `coach` is already in the student's body. Coach and student may be of different hands: each is compared as
+// a right-hander, and everything that is reported about the student is mirrored back. A student whose swing
+// cannot be divided into its events is searched for the coach's motion instead; the analysis says so and
+// keeps to the score. Sources and retargeting fields are the caller's to fill in. The same input gives the
+// same bits. Errors: Incomplete (missing joints, too few frames, a coach's motion that is no stroke, strokes
+// of different kinds, a student who does nothing like it).
+Result<Analysis> compare(const Motion& student, const Motion& coach, const CompareOptions& options = {});
+
+}  // namespace posecoach

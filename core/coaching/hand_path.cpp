@@ -1,0 +1,73 @@
+#include "core/coaching/hand_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/coaching/signal.h"
+
+namespace posecoach {
+namespace {
+
+using enum HumanoidJoint;
+
+constexpr double kLeastSmoothing_s = 0.006, kMostSmoothing_s = 0.020;
+// Jitter of quiet hands below which they need no smoothing, and from which on they need the most.
+constexpr double kQuiet_m = 0.0003, kTrembling_m = 0.001;
+constexpr double kQuietShare = 0.2;
+
+// What the hands of the quietest frames do between their neighbours: motion capture's hands stand, a webcam's
+// tremble. Confidence has no say in it, so that doubt alone moves no event.
+double smoothing_samples(const JointTrack& track) {
+  std::vector<double> jitter;
+  const auto hands = [&](int frame) {
+    return track.position(frame, LeftWrist) + track.position(frame, RightWrist) -
+           2.0 * track.position(frame, Pelvis);
+  };
+  for (int frame = 1; frame + 1 < track.frame_count(); ++frame)
+    jitter.push_back(0.25 * glm::length(hands(frame - 1) - 2.0 * hands(frame) + hands(frame + 1)));
+  const auto quiet =
+      jitter.begin() + static_cast<std::ptrdiff_t>(kQuietShare * static_cast<double>(jitter.size()));
+  std::nth_element(jitter.begin(), quiet, jitter.end());
+  const double part = std::clamp((*quiet - kQuiet_m) / (kTrembling_m - kQuiet_m), 0.0, 1.0);
+  return (kLeastSmoothing_s + part * (kMostSmoothing_s - kLeastSmoothing_s)) * kHandPathRate;
+}
+
+}  // namespace
+
+HandPath make_hand_path(const JointTrack& track) {
+  const JointTrack fine = track.resampled(kHandPathRate, track.time(0), track.duration());
+  HandPath path;
+  path.begin_s = fine.time(0);
+  std::vector<double> torso;
+  for (int i = 0; i < fine.frame_count(); ++i) {
+    const Vec3 hands = 0.5 * (fine.position(i, LeftWrist) + fine.position(i, RightWrist));
+    path.hands.push_back(hands - fine.position(i, Pelvis));
+    path.height.push_back(path.hands.back().y);
+    const Vec3 left = fine.position(i, LeftShoulder), right = fine.position(i, RightShoulder);
+    path.arms.push_back(hands - 0.5 * (left + right));
+    path.left_arms.push_back(hands - 0.75 * left - 0.25 * right);
+    path.right_arms.push_back(hands - 0.25 * left - 0.75 * right);
+    torso.push_back(glm::distance(fine.position(i, Neck), fine.position(i, Pelvis)));
+  }
+  const double sigma = smoothing_samples(track);
+  path.hands = smoothed(path.hands, sigma);
+  path.height = smoothed(path.height, sigma);
+  path.arms = smoothed(path.arms, sigma);
+  path.left_arms = smoothed(path.left_arms, sigma);
+  path.right_arms = smoothed(path.right_arms, sigma);
+  path.speed = speed_of(path.hands, kHandPathRate);
+  const auto middle = torso.begin() + static_cast<std::ptrdiff_t>(torso.size() / 2);
+  std::nth_element(torso.begin(), middle, torso.end());
+  path.torso_m = *middle;
+  return path;
+}
+
+std::vector<double> elevation_deg(const std::vector<Vec3>& arm) {
+  std::vector<double> elevation;
+  elevation.reserve(arm.size());
+  for (const Vec3& a : arm) elevation.push_back(degrees_from_radians(std::atan2(a.y, std::hypot(a.x, a.z))));
+  return elevation;
+}
+
+}  // namespace posecoach

@@ -1,0 +1,31 @@
+// The curves from which a stroke's events are read, at a constant rate.
+#pragma once
+
+#include <vector>
+
+#include "core/coaching/joint_track.h"
+
+namespace posecoach {
+
+inline constexpr double kHandPathRate = 120;
+
+struct HandPath {
+  std::vector<Vec3> hands;     // middle of the wrists, relative to the pelvis, metres
+  std::vector<double> speed;   // of it, metres a second
+  std::vector<double> height;  // of the hands over the pelvis, metres
+  // To the hands from the middle of the shoulders, and from halfway between it and each shoulder, metres.
+  std::vector<Vec3> arms, left_arms, right_arms;
+  double begin_s = 0;
+  double torso_m = 0;  // pelvis to neck, median: the body's yardstick
+
+  int count() const { return static_cast<int>(hands.size()); }
+  double time(double index) const { return begin_s + index / kHandPathRate; }
+};
+
+// Smoothing grows with how much the hands tremble: a few milliseconds for mocap, most of a frame for films.
+HandPath make_hand_path(const JointTrack& track);
+
+// Angle of the arms above the horizon, degrees.
+std::vector<double> elevation_deg(const std::vector<Vec3>& arm);
+
+}  // namespace posecoach

@@ -1,0 +1,100 @@
+#include "core/coaching/score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace posecoach {
+namespace {
+
+using enum HumanoidJoint;
+
+constexpr std::size_t kWorstFrames = 5;
+// A joint that the camera does not see at all may be this far from where it is said to be, metres.
+constexpr double kHiddenJointError_m = 0.08;
+
+}  // namespace
+
+double percent_from_error(double mean_joint_error_m, double leg_length_m) {
+  const double relative = mean_joint_error_m / (std::max(leg_length_m, 0.1) * kHalfScore);
+  return 100 / (1 + std::pow(relative, 1.5));
+}
+
+double leg_length(const JointTrack& track) {
+  std::vector<double> lengths;
+  for (int frame = 0; frame < track.frame_count(); ++frame) {
+    double sum = 0;
+    for (const auto& [hip, knee, ankle] :
+         {std::array{LeftHip, LeftKnee, LeftAnkle}, std::array{RightHip, RightKnee, RightAnkle}})
+      sum += glm::distance(track.position(frame, hip), track.position(frame, knee)) +
+             glm::distance(track.position(frame, knee), track.position(frame, ankle));
+    lengths.push_back(0.5 * sum);
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+Score score_of(const Alignment& alignment) {
+  Score score;
+  const double pairs = static_cast<double>(alignment.path_error_m.size());
+  const double sum = std::accumulate(alignment.path_error_m.begin(), alignment.path_error_m.end(), 0.0);
+  score.joints_compared = static_cast<int>(alignment.joints.size());
+  score.mean_joint_error_m = sum / pairs;
+  score.raw = sum * score.joints_compared;
+  const double leg = leg_length(alignment.student);
+  score.percent = percent_from_error(score.mean_joint_error_m, leg);
+  // Doubt widens the score; it never moves it.
+  double doubt = 0;
+  for (const auto& [i, j] : alignment.steps)
+    for (const HumanoidJoint joint : alignment.joints) doubt += 1 - alignment.student.confidence(i, joint);
+  doubt *= kHiddenJointError_m / static_cast<double>(alignment.steps.size() * alignment.joints.size());
+  score.plus_minus = 0.5 * (percent_from_error(std::max(0.0, score.mean_joint_error_m - doubt), leg) -
+                            percent_from_error(score.mean_joint_error_m + doubt, leg));
+  return score;
+}
+
+std::vector<JointError> joint_errors_of(const Alignment& alignment) {
+  std::vector<JointError> errors;
+  for (const HumanoidJoint joint : alignment.joints) {
+    JointError error;
+    error.joint = to_string(joint);
+    double sum = 0, total = 0;
+    for (const auto& [i, j] : alignment.steps) {
+      const Vec3 student = alignment.student.position(i, joint) - alignment.student.position(i, Pelvis);
+      const Vec3 coach = alignment.coach.position(j, joint) - alignment.coach.position(j, Pelvis);
+      const double distance = glm::distance(student, coach);
+      const double weight = 0.05 + alignment.student.confidence(i, joint);
+      sum += weight * distance;
+      total += weight;
+      error.max_m = std::max(error.max_m, distance);
+    }
+    error.mean_m = sum / total;
+    errors.push_back(std::move(error));
+  }
+  std::stable_sort(errors.begin(), errors.end(),
+                   [](const auto& a, const auto& b) { return a.mean_m > b.mean_m; });
+  return errors;
+}
+
+std::vector<FramePair> worst_frames_of(const Alignment& alignment, const JointTrack& student,
+                                       double apart_s) {
+  std::vector<std::size_t> order(alignment.path.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return alignment.path_error_m[a] > alignment.path_error_m[b];
+  });
+  std::vector<FramePair> worst;
+  for (const std::size_t k : order) {
+    const auto& [i, j] = alignment.path[k];
+    const bool is_apart = std::all_of(worst.begin(), worst.end(), [&](const FramePair& pair) {
+      return std::abs(student.time(i) - student.time(pair.student_frame)) >= apart_s;
+    });
+    if (is_apart && alignment.path_error_m[k] > 0) worst.push_back({i, j, alignment.path_error_m[k]});
+    if (worst.size() == kWorstFrames) break;
+  }
+  return worst;
+}
+
+}  // namespace posecoach

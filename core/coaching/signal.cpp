@@ -1,0 +1,116 @@
+#include "core/coaching/signal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace posecoach {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+template <typename T>
+std::vector<T> gaussian(const std::vector<T>& values, double sigma) {
+  if (sigma <= 0.05) return values;
+  const int reach = static_cast<int>(std::ceil(3 * sigma));
+  const int count = static_cast<int>(values.size());
+  std::vector<double> kernel;
+  for (int d = 0; d <= reach; ++d) kernel.push_back(std::exp(-0.5 * d * d / (sigma * sigma)));
+  std::vector<T> result;
+  result.reserve(values.size());
+  for (int i = 0; i < count; ++i) {
+    T sum{};
+    double total = 0;
+    // Only as far as both sides reach, so that an end is not pulled inwards.
+    const int symmetric = std::min({reach, i, count - 1 - i});
+    for (int d = -symmetric; d <= symmetric; ++d) {
+      const double weight = kernel[at(std::abs(d))];
+      sum += weight * values[at(i + d)];
+      total += weight;
+    }
+    result.push_back(sum / total);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> smoothed(const std::vector<double>& values, double sigma) {
+  return gaussian(values, sigma);
+}
+
+std::vector<Vec3> smoothed(const std::vector<Vec3>& values, double sigma) {
+  return gaussian(values, sigma);
+}
+
+std::vector<double> speed_of(const std::vector<Vec3>& positions, double rate) {
+  const int count = static_cast<int>(positions.size());
+  std::vector<double> speed(positions.size(), 0.0);
+  for (int i = 0; i < count; ++i) {
+    const int a = std::max(0, i - 1), b = std::min(count - 1, i + 1);
+    if (b > a) speed[at(i)] = glm::distance(positions[at(a)], positions[at(b)]) * rate / (b - a);
+  }
+  return speed;
+}
+
+double vertex_near(const std::vector<double>& values, int i) {
+  if (i <= 0 || i + 1 >= static_cast<int>(values.size())) return i;
+  const double a = values[at(i - 1)], b = values[at(i)], c = values[at(i + 1)];
+  const double bend = a - 2 * b + c;
+  return bend == 0 ? i : i + std::clamp(0.5 * (a - c) / bend, -1.0, 1.0);
+}
+
+int index_of_largest(const std::vector<double>& values, int first, int last) {
+  return static_cast<int>(std::max_element(values.begin() + first, values.begin() + last + 1) -
+                          values.begin());
+}
+
+int index_of_smallest(const std::vector<double>& values, int first, int last) {
+  return static_cast<int>(std::min_element(values.begin() + first, values.begin() + last + 1) -
+                          values.begin());
+}
+
+std::optional<double> crossing(const std::vector<double>& values, int from, int to, double level) {
+  const int step = from <= to ? 1 : -1;
+  for (int i = from; i != to; i += step) {
+    const double a = values[at(i)] - level, b = values[at(i + step)] - level;
+    if (a == 0) return i;
+    if ((a < 0) != (b < 0)) return i + step * a / (a - b);
+  }
+  return std::nullopt;
+}
+
+std::vector<Extreme> extremes(const std::vector<double>& values, double prominence) {
+  std::vector<Extreme> found;
+  int low = 0, high = 0;
+  bool rising = true, known = false;
+  for (int i = 1; i < static_cast<int>(values.size()); ++i) {
+    if (values[at(i)] > values[at(high)]) high = i;
+    if (values[at(i)] < values[at(low)]) low = i;
+    if ((!known || rising) && values[at(high)] - values[at(i)] >= prominence) {
+      found.push_back({high, true});
+      rising = false;
+      known = true;
+      low = high = i;
+    } else if ((!known || !rising) && values[at(i)] - values[at(low)] >= prominence) {
+      found.push_back({low, false});
+      rising = true;
+      known = true;
+      low = high = i;
+    }
+  }
+  if (known) found.push_back({rising ? high : low, rising});
+  return found;
+}
+
+double value_at(const std::vector<double>& values, double index) {
+  const int last = static_cast<int>(values.size()) - 1;
+  const double clamped = std::clamp(index, 0.0, static_cast<double>(last));
+  const int left = std::min(static_cast<int>(clamped), std::max(0, last - 1));
+  const int right = std::min(left + 1, last);
+  return values[at(left)] + (clamped - left) * (values[at(right)] - values[at(left)]);
+}
+
+}  // namespace posecoach

@@ -1,0 +1,210 @@
+#include "core/coaching/spatial_advice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <string>
+
+#include "core/coaching/advice_text.h"
+#include "core/coaching/part_differences.h"
+
+namespace posecoach {
+namespace {
+
+enum class Group {
+  Hips,
+  Chest,
+  Head,
+  HipTurn,
+  Shoulders,
+  LeadArm,
+  TrailArm,
+  Hands,
+  LeadLeg,
+  TrailLeg,
+  Stance
+};
+enum class Direction { Target, Up, Ball, Any };
+
+struct FeatureRule {
+  Feature feature;
+  Group group;
+  const char* joint;  // of a right-hander
+  Direction direction;
+  double clear;  // metres or degrees: two good swings of one golfer stay below it
+};
+
+constexpr std::array<FeatureRule, kFeatureCount> kRules = {{
+    {Feature::HipsToTarget, Group::Hips, "pelvis", Direction::Target, 0.04},
+    {Feature::HipsUp, Group::Hips, "pelvis", Direction::Up, 0.035},
+    {Feature::HipsToBall, Group::Hips, "pelvis", Direction::Ball, 0.04},
+    {Feature::ChestToTarget, Group::Chest, "chest", Direction::Target, 0.045},
+    {Feature::ChestUp, Group::Chest, "chest", Direction::Up, 0.05},
+    {Feature::ChestToBall, Group::Chest, "chest", Direction::Ball, 0.045},
+    {Feature::HeadToTarget, Group::Head, "head", Direction::Target, 0.035},
+    {Feature::HeadUp, Group::Head, "head", Direction::Up, 0.045},
+    {Feature::HeadToBall, Group::Head, "head", Direction::Ball, 0.055},
+    {Feature::HipTurn, Group::HipTurn, "left_hip", Direction::Any, 12},
+    {Feature::ShoulderTurn, Group::Shoulders, "left_shoulder", Direction::Any, 12},
+    {Feature::ShoulderTilt, Group::Shoulders, "left_shoulder", Direction::Any, 10},
+    {Feature::LeadElbowPlace, Group::LeadArm, "left_elbow", Direction::Any, 0.06},
+    {Feature::TrailElbowPlace, Group::TrailArm, "right_elbow", Direction::Any, 0.06},
+    {Feature::LeadArmBend, Group::LeadArm, "left_elbow", Direction::Any, 14},
+    {Feature::TrailArmBend, Group::TrailArm, "right_elbow", Direction::Any, 24},
+    {Feature::HandsPlace, Group::Hands, "left_wrist", Direction::Any, 0.07},
+    {Feature::LeadKneeBend, Group::LeadLeg, "left_knee", Direction::Any, 14},
+    {Feature::TrailKneeBend, Group::TrailLeg, "right_knee", Direction::Any, 14},
+    {Feature::StanceWidth, Group::Stance, "left_ankle", Direction::Target, 0.05},
+    {Feature::HandsToBall, Group::Hands, "left_wrist", Direction::Ball, 0.05},
+}};
+
+// One camera guesses depth; what it can know at all it knows this much worse.
+constexpr double kOneCameraFactor = 1.6;
+constexpr double kOneCameraTurnFactor = 2.0;
+constexpr double kLeastConfidence = 0.3;
+// What was off at address already and stays so is told at address.
+constexpr double kAlreadyAtAddress = 0.75;
+// A putt is a small movement: half of it is clear already.
+constexpr double kPuttFactor = 0.5;
+constexpr double kExplains = 0.7;
+// Next to something this much worse a difference is told only when it is this clear by itself.
+constexpr double kByProduct = 0.7, kClearByItself = 2;
+// The finish is a result, not a cause.
+constexpr double kFinishWeight = 0.6;
+
+struct Candidate {
+  const FeatureRule* rule = nullptr;
+  PartDifference difference;
+  std::string event;
+  double severity = 0, rank = 0;
+};
+
+double clear_amount(const FeatureRule& rule, Viewpoint view) {
+  if (!is_one_camera(view)) return rule.clear;
+  const bool is_turn = rule.feature == Feature::HipTurn || rule.feature == Feature::ShoulderTurn;
+  return rule.clear * (is_turn ? kOneCameraTurnFactor : kOneCameraFactor);
+}
+
+bool is_visible(const FeatureRule& rule, Viewpoint view) {
+  if (rule.direction == Direction::Target) return sees_target_direction(view);
+  if (rule.direction == Direction::Ball) return sees_ball_direction(view);
+  return true;
+}
+
+double size_of(const PartDifference& difference, const FeatureRule& rule, Viewpoint view) {
+  const bool is_place = rule.direction == Direction::Any && rule.clear < 1;
+  if (!is_place) return std::abs(difference.amount);
+  const Vec3 seen(sees_target_direction(view) ? difference.offset.x : 0, difference.offset.y,
+                  sees_ball_direction(view) ? difference.offset.z : 0);
+  return glm::length(seen);
+}
+
+std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_view event,
+                                     const BodyAxes& axes, bool after_impact) {
+  const JointTrack student = moment_of(swings.student, swings.student_events.time_of(event));
+  const JointTrack coach = moment_of(swings.coach, swings.coach_events.time_of(event));
+  const bool is_putt = swings.student_events.kind == StrokeKind::Putt;
+  std::vector<Candidate> found;
+  for (const PartDifference& difference :
+       part_differences(student, coach, axes, after_impact ? Anchor::LeadFoot : Anchor::BothFeet,
+                        is_putt ? HeadOver::Feet : HeadOver::Shoulders)) {
+    const FeatureRule& rule = kRules[static_cast<std::size_t>(difference.feature)];
+    if (!is_visible(rule, swings.view) || difference.confidence < kLeastConfidence) continue;
+    if (rule.feature == Feature::HandsToBall && event != "mid_downswing") continue;
+    Candidate candidate{&rule, difference, std::string(event), 0, 0};
+    candidate.severity = size_of(difference, rule, swings.view) / clear_amount(rule, swings.view);
+    if (is_putt) candidate.severity /= kPuttFactor;
+    if (event == "finish" || event == "end") candidate.severity *= kFinishWeight;
+    candidate.rank = candidate.severity * std::sqrt(difference.share + 0.02);
+    found.push_back(std::move(candidate));
+  }
+  return found;
+}
+
+// The moment at which one feature is told: where it is worst, or address when it was there from the start.
+Candidate worst_moment(const std::vector<Candidate>& moments) {
+  const auto worst = std::max_element(moments.begin(), moments.end(),
+                                      [](const auto& a, const auto& b) { return a.severity < b.severity; });
+  const Candidate& first = moments.front();
+  const bool same_way = glm::dot(first.difference.offset, worst->difference.offset) > 0 ||
+                        first.difference.amount * worst->difference.amount > 0;
+  if (first.event == "address" && same_way && first.severity > kAlreadyAtAddress * worst->severity)
+    return first;
+  return *worst;
+}
+
+using Moments = std::map<Feature, std::vector<Candidate>>;
+
+// Whether what carries this part is off at the same moment and nearly as badly: hands by an arm, a head by
+// the trunk.
+bool is_explained(const Candidate& candidate, const std::map<Group, Candidate>& by_group,
+                  const Moments& moments) {
+  if (candidate.rule->feature == Feature::HandsPlace) {
+    for (const Group arm : {Group::LeadArm, Group::TrailArm})
+      if (const auto found = by_group.find(arm);
+          found != by_group.end() && found->second.severity > kExplains * candidate.severity)
+        return true;
+  }
+  if (candidate.rule->group == Group::Head) {
+    for (const auto& [feature, all] : moments)
+      for (const Candidate& other : all)
+        if ((other.rule->group == Group::Hips || other.rule->group == Group::Chest) &&
+            other.event == candidate.event && other.severity > kExplains * candidate.severity)
+          return true;
+  }
+  return false;
+}
+
+SpatialAdvice to_advice(const Candidate& candidate, const ComparedSwings& swings) {
+  SpatialAdvice advice;
+  advice.joint = candidate.rule->joint;
+  advice.event = candidate.event;
+  advice.student_frame = swings.student.nearest_frame(swings.student_events.time_of(candidate.event));
+  advice.coach_frame = swings.coach.nearest_frame(swings.coach_events.time_of(candidate.event));
+  advice.offset_m = candidate.difference.offset;
+  advice.distance_m = glm::length(advice.offset_m);
+  advice.turn_deg = candidate.rule->clear >= 1 ? candidate.difference.amount : 0;
+  advice.share = candidate.difference.share;
+  advice.severity = candidate.severity;
+  advice.advice = text::spatial(candidate.difference, candidate.event, swings.view);
+  return advice;
+}
+
+}  // namespace
+
+std::vector<SpatialAdvice> find_spatial_advice(const ComparedSwings& swings, std::size_t most) {
+  const double takeaway = swings.coach_events.takeaway_s;
+  const BodyAxes axes = body_axes(swings.coach, std::max(0.0, takeaway - 0.2), takeaway);
+  Moments by_feature;
+  bool after_impact = false;
+  for (const SwingEvent& event : swings.student_events.events) {
+    for (Candidate& candidate : candidates_at(swings, event.name, axes, after_impact))
+      by_feature[candidate.difference.feature].push_back(std::move(candidate));
+    after_impact = after_impact || event.name == "impact";
+  }
+  std::map<Group, Candidate> by_group;
+  for (const auto& [feature, moments] : by_feature) {
+    const Candidate candidate = worst_moment(moments);
+    if (candidate.severity < 1) continue;
+    const auto [place, is_new] = by_group.try_emplace(candidate.rule->group, candidate);
+    if (!is_new && candidate.rank > place->second.rank) place->second = candidate;
+  }
+  std::vector<Candidate> ranked;
+  for (const auto& [group, candidate] : by_group)
+    if (!is_explained(candidate, by_group, by_feature)) ranked.push_back(candidate);
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.rank > b.rank; });
+  // Next to the main thing, what is slight is its by-product.
+  if (!ranked.empty()) {
+    const double least = std::min(kClearByItself, kByProduct * ranked.front().severity);
+    std::erase_if(ranked, [least](const Candidate& candidate) { return candidate.severity < least; });
+  }
+  if (ranked.size() > most) ranked.resize(most);
+  std::vector<SpatialAdvice> advice;
+  for (const Candidate& candidate : ranked) advice.push_back(to_advice(candidate, swings));
+  return advice;
+}
+
+}  // namespace posecoach

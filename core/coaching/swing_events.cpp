@@ -1,0 +1,110 @@
+#include "core/coaching/swing_events.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/base/assert.h"
+#include "core/coaching/body_axes.h"
+#include "core/coaching/signal.h"
+#include "core/coaching/stroke_search.h"
+
+namespace posecoach {
+namespace {
+
+using enum HumanoidJoint;
+
+double vote(double value, double sure_at) {
+  return std::clamp(value / sure_at, -1.0, 1.0);
+}
+
+// How far the right hand is below the left on the grip, metres: the trail hand is the lower one.
+double right_hand_lower(const JointTrack& track, int first, int last) {
+  double sum = 0, total = 1e-9;
+  for (int frame = first; frame <= last; ++frame) {
+    const double weight =
+        std::min(track.confidence(frame, LeftWrist), track.confidence(frame, RightWrist)) + 1e-3;
+    sum += weight * (track.position(frame, LeftWrist).y - track.position(frame, RightWrist).y);
+    total += weight;
+  }
+  return sum / total;
+}
+
+double chest_heading(const JointTrack& track, int frame) {
+  const Vec3 left = track.position(frame, LeftShoulder) - track.position(frame, RightShoulder);
+  return std::atan2(-left.z, left.x);
+}
+
+// Three witnesses: where the hands go, which way the chest turns, which hand is lower.
+Handedness hand_of_swing(const JointTrack& track, const HandPath& path, const SwingBow& bow) {
+  int low =
+      index_of_smallest(path.height, std::max(0, bow.top - static_cast<int>(2 * kHandPathRate)), bow.top);
+  const double address_s = path.time(low), top_s = path.time(bow.top);
+  const BodyAxes axes = body_axes(track, address_s - 0.1, address_s + 0.1);
+  const Vec3 moved =
+      path.hands[static_cast<std::size_t>(bow.top)] - path.hands[static_cast<std::size_t>(low)];
+  const int a = track.nearest_frame(address_s), t = track.nearest_frame(top_s);
+  const double turn = std::remainder(chest_heading(track, t) - chest_heading(track, a), 2 * kPi);
+  const double right = vote(-glm::dot(moved, axes.left), 0.2) + vote(-turn, radians_from_degrees(30)) +
+                       vote(right_hand_lower(track, std::max(0, a - 5), a), 0.05);
+  return right >= 0 ? Handedness::Right : Handedness::Left;
+}
+
+std::vector<double> along(const std::vector<Vec3>& positions, const Vec3& direction) {
+  std::vector<double> values;
+  values.reserve(positions.size());
+  for (const Vec3& p : positions) values.push_back(glm::dot(p, direction));
+  return values;
+}
+
+// The grip, and where the hands are fastest, which is through the ball.
+Handedness hand_of_putt(const JointTrack& track, const HandPath& path, const BodyAxes& axes) {
+  const std::vector<double> left = along(path.hands, axes.left);
+  const int fast = index_of_largest(path.speed, 0, path.count() - 1);
+  const double way = value_at(left, fast + 0.1 * kHandPathRate) - value_at(left, fast - 0.1 * kHandPathRate);
+  const double right = vote(right_hand_lower(track, 0, track.frame_count() - 1), 0.05) + vote(way, 0.2);
+  return right >= 0 ? Handedness::Right : Handedness::Left;
+}
+
+}  // namespace
+
+std::string_view to_string(StrokeKind kind) {
+  return kind == StrokeKind::Putt ? "putt" : "full swing";
+}
+
+double SwingEvents::time_of(std::string_view name) const {
+  if (name == "takeaway") return takeaway_s;
+  for (const SwingEvent& event : events)
+    if (event.name == name) return event.time_s;
+  POSECOACH_ASSERT(!"no such event");
+  return 0;
+}
+
+Result<SwingEvents> find_swing_events(const JointTrack& track, const SegmentationOptions& options) {
+  const HandPath path = make_hand_path(track);
+  const auto bow = find_bow(path);
+  const BodyAxes axes = body_axes(track, track.time(0), track.duration());
+  SwingEvents swing;
+  swing.kind = bow ? StrokeKind::FullSwing : StrokeKind::Putt;
+  swing.hand =
+      options.hand.value_or(bow ? hand_of_swing(track, path, *bow) : hand_of_putt(track, path, axes));
+  const bool is_right = swing.hand == Handedness::Right;
+  const Vec3 target = is_right ? axes.left : -axes.left;
+  const Result<StrokeMoments> found =
+      bow ? find_full_swing(path, *bow, is_right ? path.left_arms : path.right_arms)
+          : find_putt(path, along(path.hands, target));
+  if (!found) return tl::unexpected(found.error());
+  swing.takeaway_s = path.time(found->takeaway);
+  for (const StrokeMoment& moment : found->moments) {
+    const double time = path.time(moment.index);
+    swing.events.push_back({moment.name, track.nearest_frame(time), time});
+  }
+  for (std::size_t k = 1; k < swing.events.size(); ++k)
+    if (swing.events[k].time_s <= swing.events[k - 1].time_s)
+      return fail(ErrorCode::Incomplete,
+                  "the moments of the stroke do not follow each other: " + swing.events[k].name +
+                      " would come before " + swing.events[k - 1].name);
+  return swing;
+}
+
+}  // namespace posecoach

@@ -1,0 +1,81 @@
+#include "core/coaching/timing_advice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "core/coaching/advice_text.h"
+
+namespace posecoach {
+namespace {
+
+// A phase is clearly quick or slow when its ratio is off by this much, or by twice its own uncertainty.
+constexpr double kClearRatio = 0.14;
+constexpr double kClearSigmas = 2;
+// Slower or quicker than this as a whole, and the golfer is rehearsing or the film is in slow motion.
+constexpr double kOtherPace = 1.6;
+// Frames that an event may be off: between two frames, and on a trembling webcam skeleton.
+constexpr double kFramesOff = 0.15, kFramesOffOneCamera = 0.6;
+constexpr double kLeastOff_s = 0.004;
+
+using Phase = std::pair<std::string_view, std::string_view>;
+constexpr std::array<Phase, 4> kFullSwing = {
+    {{"takeaway", "top"}, {"top", "mid_downswing"}, {"top", "impact"}, {"impact", "finish"}}};
+constexpr std::array<Phase, 3> kPutt = {{{"takeaway", "top"}, {"top", "impact"}, {"impact", "end"}}};
+
+}  // namespace
+
+double event_uncertainty_s(const JointTrack& track, Viewpoint view) {
+  const double rate = track.frame_rate();
+  const double frames = is_one_camera(view) ? kFramesOffOneCamera : kFramesOff;
+  return std::max(kLeastOff_s, rate > 0 ? frames / rate : 0);
+}
+
+TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& alignment) {
+  const SwingEvents& student = swings.student_events;
+  const SwingEvents& coach = swings.coach_events;
+  TimingResult result;
+  const auto duration = [](const SwingEvents& events, const Phase& phase) {
+    return events.time_of(phase.second) - events.time_of(phase.first);
+  };
+  const Phase whole{"takeaway", "impact"};
+  result.pace = duration(student, whole) / std::max(1e-3, duration(coach, whole));
+  result.in_proportion = result.pace > kOtherPace || result.pace < 1 / kOtherPace;
+  const double off_s = event_uncertainty_s(swings.student, swings.view);
+  const double coach_off_s = event_uncertainty_s(swings.coach, Viewpoint::AllSides);
+  const std::span<const Phase> phases =
+      student.kind == StrokeKind::Putt ? std::span<const Phase>(kPutt) : kFullSwing;
+  for (const Phase& phase : phases) {
+    TimingAdvice advice;
+    advice.from = phase.first;
+    advice.to = phase.second;
+    advice.student_s = duration(student, phase);
+    advice.coach_s = duration(coach, phase);
+    if (advice.student_s <= 0 || advice.coach_s <= 0) continue;
+    advice.ratio = advice.student_s / advice.coach_s;
+    advice.plus_minus =
+        advice.ratio * std::sqrt(2.0) * std::hypot(off_s / advice.student_s, coach_off_s / advice.coach_s);
+    const double along_path = alignment.student_time(coach.time_of(phase.second)) -
+                              alignment.student_time(coach.time_of(phase.first));
+    advice.path_ratio = along_path / advice.coach_s;
+    const double relative = result.in_proportion ? advice.ratio / result.pace : advice.ratio;
+    const double relative_on_path =
+        result.in_proportion ? advice.path_ratio / result.pace : advice.path_ratio;
+    const double clear = std::max(kClearRatio, kClearSigmas * advice.plus_minus / advice.ratio);
+    double severity = std::abs(std::log(relative)) / clear;
+    // The path must say the same: an event that was found late on one side alone is no advice.
+    const bool path_agrees = (relative_on_path - 1) * (relative - 1) > 0;
+    if (!path_agrees) severity *= 0.5;
+    // The way to the finish is the golfer's own affair, unless it is far off.
+    if (phase.first == "impact") severity *= 0.5;
+    advice.advice = text::timing(advice, relative, severity >= 1, result.in_proportion);
+    result.phases.push_back(std::move(advice));
+    result.severity.push_back(severity);
+  }
+  return result;
+}
+
+}  // namespace posecoach

@@ -1,0 +1,139 @@
+#include "core/coaching/swing_events.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/coaching/strokes.h"
+
+namespace posecoach {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 30;
+
+SwingEvents events_of(const Motion& motion) {
+  const auto track = JointTrack::from_motion(motion);
+  EXPECT_TRUE(track.has_value());
+  const auto events = find_swing_events(*track);
+  EXPECT_TRUE(events.has_value()) << (events ? "" : events.error().message);
+  return events.value();
+}
+
+void expect_true_events(const AuthoredMotion& stroke, double tolerance_s = kFrame_s) {
+  const SwingEvents found = events_of(stroke.motion);
+  for (const SwingEvent& event : found.events)
+    EXPECT_NEAR(event.time_s, stroke.time_of(event.name), tolerance_s) << event.name;
+  EXPECT_NEAR(found.takeaway_s, stroke.time_of("takeaway"), tolerance_s);
+  for (std::size_t k = 1; k < found.events.size(); ++k)
+    EXPECT_LT(found.events[k - 1].time_s, found.events[k].time_s) << found.events[k].name;
+}
+
+std::vector<std::string> names_of(const SwingEvents& events) {
+  std::vector<std::string> names;
+  for (const SwingEvent& event : events.events) names.push_back(event.name);
+  return names;
+}
+
+TEST(SwingEvents, of_a_full_swing_are_the_eight_in_order) {
+  const SwingEvents found = events_of(make_stroke().motion);
+  EXPECT_EQ(found.kind, StrokeKind::FullSwing);
+  EXPECT_EQ(names_of(found),
+            (std::vector<std::string>{"address", "toe_up", "mid_backswing", "top", "mid_downswing", "impact",
+                                      "mid_follow_through", "finish"}));
+}
+
+TEST(SwingEvents, of_a_putt_are_address_top_impact_and_end) {
+  const SwingEvents found = events_of(make_stroke({.name = "putt"}).motion);
+  EXPECT_EQ(found.kind, StrokeKind::Putt);
+  EXPECT_EQ(names_of(found), (std::vector<std::string>{"address", "top", "impact", "end"}));
+}
+
+TEST(SwingEvents, lie_within_a_film_frame_of_the_truth_on_any_body_hand_and_frame_rate) {
+  for (const double fps : {30.0, 60.0, 120.0, 240.0})
+    for (const double height : {1.5, 1.75, 2.0})
+      for (const Handedness hand : {Handedness::Right, Handedness::Left})
+        for (const char* name : {"swing", "putt"}) {
+          SCOPED_TRACE(std::string(name) + " " + std::to_string(height) + " m, " + std::to_string(fps) +
+                       " fps");
+          const AuthoredMotion stroke = make_stroke({name, fps, {.height_m = height}, hand});
+          expect_true_events(stroke);
+          EXPECT_EQ(events_of(stroke.motion).hand, hand);
+        }
+}
+
+TEST(SwingEvents, do_not_care_which_way_the_golfer_faces) {
+  const Motion swing = make_stroke().motion;
+  const SwingEvents straight = events_of(swing), turned = events_of(turned_by(swing, 2.1));
+  EXPECT_EQ(turned.hand, straight.hand);
+  for (std::size_t k = 0; k < straight.events.size(); ++k)
+    EXPECT_NEAR(turned.events[k].time_s, straight.events[k].time_s, 1e-6);
+}
+
+// Seconds of waggle before and of a long finish after, at 30 fps.
+Motion with_waggle_and_long_finish(const Motion& swing, double waggle_s, double finish_s) {
+  std::vector<MediaTime> times;
+  std::vector<Vec3> positions;
+  const int left = swing.skeleton().find(HumanoidJoint::LeftWrist),
+            right = swing.skeleton().find(HumanoidJoint::RightWrist);
+  const auto add = [&](double time_s, int frame, double sway_m) {
+    times.push_back(media_time_from_seconds(time_s));
+    for (int joint = 0; joint < swing.joint_count(); ++joint)
+      positions.push_back(swing.position(frame, joint) +
+                          Vec3(joint == left || joint == right ? sway_m : 0, 0, 0));
+  };
+  const double step = 1.0 / 30;
+  for (double t = 0; t < waggle_s; t += step)
+    add(t, 0, 0.06 * std::sin(2 * kPi * t / 0.8) * std::sin(kPi * t / waggle_s));
+  const double begin = to_seconds(times.back() - MediaTime{}) + step;
+  for (int frame = 0; frame < swing.frame_count(); ++frame)
+    add(begin + to_seconds(swing.time(frame)), frame, 0);
+  const double end = to_seconds(times.back() - MediaTime{});
+  for (double t = step; t < finish_s; t += step) add(end + t, swing.frame_count() - 1, 0);
+  return Motion::from_positions(swing.skeleton(), std::move(times), std::move(positions)).value();
+}
+
+TEST(SwingEvents, are_not_fooled_by_seconds_of_waggle_and_a_long_finish) {
+  const AuthoredMotion stroke = make_stroke({.frames_per_second = 30});
+  const Motion film = with_waggle_and_long_finish(stroke.motion, 4.0, 3.0);
+  const double shift = to_seconds(film.duration()) - to_seconds(stroke.motion.duration()) - 3.0;
+  const SwingEvents found = events_of(film);
+  for (const SwingEvent& event : found.events)
+    EXPECT_NEAR(event.time_s, stroke.time_of(event.name) + shift, 2 * kFrame_s) << event.name;
+}
+
+TEST(SwingEvents, hold_when_the_joints_tremble_as_a_webcams_do) {
+  const AuthoredMotion stroke = make_stroke({.frames_per_second = 30});
+  const SwingEvents found = events_of(trembling(stroke.motion, 0.003, 0.9));
+  for (const char* name : {"top", "impact", "mid_downswing", "finish"})
+    EXPECT_NEAR(found.time_of(name), stroke.time_of(name), 1.5 * kFrame_s) << name;
+}
+
+TEST(SwingEvents, are_refused_with_a_reason_when_nobody_swings) {
+  const Motion swing = make_stroke().motion;
+  const Motion still =
+      with_positions(swing, [&](int, int joint, const Vec3&) { return swing.position(0, joint); });
+  const auto found = find_swing_events(JointTrack::from_motion(still).value());
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, ErrorCode::Incomplete);
+  EXPECT_NE(found.error().message.find("no stroke"), std::string::npos) << found.error().message;
+}
+
+TEST(SwingEvents, are_refused_when_the_film_starts_in_the_backswing_or_ends_before_impact) {
+  const AuthoredMotion stroke = make_stroke();
+  const auto frame_at = [&](const char* event) { return static_cast<int>(stroke.time_of(event) * 120); };
+  const Motion late = stroke.motion.slice(frame_at("mid_backswing"), stroke.motion.frame_count());
+  EXPECT_FALSE(find_swing_events(JointTrack::from_motion(late).value()));
+  const Motion early = stroke.motion.slice(0, frame_at("mid_downswing"));
+  EXPECT_FALSE(find_swing_events(JointTrack::from_motion(early).value()));
+}
+
+TEST(SwingEvents, need_the_joints_of_a_golfer) {
+  const Skeleton point = Skeleton::make({{"pelvis", kNoJoint, {}, HumanoidJoint::Pelvis}}).value();
+  const Motion motion = Motion::from_positions(point, {MediaTime{}}, {{}}).value();
+  const auto track = JointTrack::from_motion(motion);
+  ASSERT_FALSE(track);
+  EXPECT_NE(track.error().message.find("left_wrist"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace posecoach
