@@ -1,0 +1,64 @@
+#include "ui/render/words.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace posecoach {
+namespace {
+
+constexpr double kAtEvent_s = 0.07;
+
+bool passed(const std::vector<SwingEvent>& events, std::string_view name, double time_s) {
+  for (const SwingEvent& event : events)
+    if (event.name == name) return time_s >= event.time_s;
+  return false;
+}
+
+}  // namespace
+
+std::string title_from_name(std::string_view name) {
+  std::string title(name);
+  for (char& c : title)
+    if (c == '_') c = ' ';
+  if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
+    title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  for (const auto& [from, to] :
+       {std::pair<std::string_view, std::string_view>{"follow through", "follow-through"},
+        {"oe up", "oe-up"}})
+    if (const std::size_t at = title.find(from); at != std::string::npos) title.replace(at, from.size(), to);
+  return title;
+}
+
+std::string phase_title(const std::vector<SwingEvent>& events, double time_s) {
+  if (events.empty()) return {};
+  const SwingEvent* nearest = &events.front();
+  for (const SwingEvent& event : events)
+    if (std::abs(event.time_s - time_s) < std::abs(nearest->time_s - time_s)) nearest = &event;
+  if (std::abs(nearest->time_s - time_s) <= kAtEvent_s) return title_from_name(nearest->name);
+  if (time_s < events.front().time_s) return "Getting ready";
+  if (time_s > events.back().time_s) return "Done";
+  if (passed(events, "impact", time_s)) return "Follow-through";
+  if (passed(events, "top", time_s)) return "Downswing";
+  return "Backswing";
+}
+
+std::string decimal(double value, int digits) {
+  if (!std::isfinite(value)) return "–";
+  std::array<char, 64> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, digits);
+  if (error != std::errc()) return "–";
+  std::string result(text.data(), end);
+  if (result.find_first_not_of("-0.") == std::string::npos && result[0] == '-') result.erase(0, 1);
+  return result;
+}
+
+std::string short_source(std::string_view source) {
+  while (source.size() > 1 && source.back() == '/') source.remove_suffix(1);
+  const std::size_t slash = source.rfind('/');
+  return std::string(
+      slash == std::string_view::npos || slash + 1 == source.size() ? source : source.substr(slash + 1));
+}
+
+}  // namespace posecoach

@@ -1,0 +1,25 @@
+// Names out of files and analyses as people say them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/coaching/analysis.h"
+
+namespace posecoach {
+
+// "left_elbow" -> "Left elbow", "mid_follow_through" -> "Mid follow-through", "tempo_ratio" -> "Tempo ratio".
+std::string title_from_name(std::string_view name);
+
+// What goes on at `time_s`: an event's title close to it, else the part of the stroke between two events
+// ("Backswing"); empty when there are no events.
+std::string phase_title(const std::vector<SwingEvent>& events, double time_s);
+
+// With `digits` after the point, whatever the locale.
+std::string decimal(double value, int digits);
+
+// The last part of a path, and "bundled:swing" as it is.
+std::string short_source(std::string_view source);
+
+}  // namespace posecoach
