@@ -89,7 +89,12 @@ std::vector<Vec3> interpolated(const Motion& motion, double frame) {
 }  // namespace
 
 std::vector<Vec3> CoachPlacement::positions(const Motion& coach, int student_frame) const {
-  std::vector<Vec3> positions = interpolated(coach, coach_frame[index(student_frame)]);
+  return positions(coach, coach_frame[index(student_frame)], student_frame);
+}
+
+std::vector<Vec3> CoachPlacement::positions(const Motion& coach, double at_coach_frame,
+                                            int student_frame) const {
+  std::vector<Vec3> positions = interpolated(coach, at_coach_frame);
   for (Vec3& p : positions) p = turned(p, yaw) + offset[index(student_frame)];
   return positions;
 }

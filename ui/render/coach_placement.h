@@ -16,6 +16,8 @@ struct CoachPlacement {
 
   // The coach's joints in the student's world at a frame of the student's motion.
   std::vector<Vec3> positions(const Motion& coach, int student_frame) const;
+  // The same place with another pose of the coach, for showing an exact pair of frames.
+  std::vector<Vec3> positions(const Motion& coach, double at_coach_frame, int student_frame) const;
 };
 
 // The coach's frame for each student frame along the alignment path: even, never backwards, and never further

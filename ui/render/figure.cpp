@@ -106,16 +106,17 @@ class Builder {
       if (body_.skeleton.joint(joint).role) return body_.skeleton.joint(joint).role;
     return std::nullopt;
   }
-  // Joints of a rig that are no canonical ones take after the nearest that is (twist bones), or are fingers.
+  // Joints of a rig that are no canonical ones, such as twist bones, take after the nearest that is.
   Girth girth(int joint) const {
     const std::optional<HumanoidJoint> role = nearest_role(joint);
-    const bool is_finger = !body_.skeleton.joint(joint).role && (role == LeftWrist || role == RightWrist);
-    if (!role || is_finger) return {0.011 * scale_, 0.009 * scale_};
-    return girth_of(*role);
+    return role ? girth_of(*role) : Girth{0.011 * scale_, 0.009 * scale_};
   }
-  bool is_inside_head(int joint) const {
+  // Eyes, ears and fingers, for which the head and the hands stand.
+  bool is_detail(int joint) const {
     const std::optional<HumanoidJoint> role = nearest_role(joint);
-    return role == HeadTop || (role == Head && body_.skeleton.joint(joint).role != Head);
+    if (role == HeadTop) return true;
+    const bool beyond = role == Head || role == LeftWrist || role == RightWrist;
+    return beyond && !body_.skeleton.joint(joint).role;
   }
   void add(const Vec3& from, const Vec3& to, double from_radius, double to_radius, Colour colour) {
     figure_.capsules.push_back({from, to, from_radius, to_radius, colour});
@@ -123,7 +124,7 @@ class Builder {
 
   void add_bone(int joint) {
     const int parent = body_.skeleton.joint(joint).parent;
-    if (!is_seen(joint) || !is_seen(parent) || is_inside_head(joint)) return;
+    if (!is_seen(joint) || !is_seen(parent) || is_detail(joint)) return;
     const Girth g = girth(joint);
     add(at(parent), at(joint), g.from, g.to, style_.bone);
   }
@@ -152,20 +153,32 @@ class Builder {
     add(at(joint), at(joint), radius, radius, style_.joint);
   }
 
+  // To the middle of the knuckles where the rig has them, else straight on from the forearm.
   void add_hand(HumanoidJoint elbow_role, HumanoidJoint wrist_role) {
     const auto elbow = seen(elbow_role), wrist = seen(wrist_role);
-    if (!elbow || !wrist || !body_.skeleton.children(body_.skeleton.find(wrist_role)).empty()) return;
-    const double forearm = glm::length(*wrist - *elbow);
-    if (forearm < 1e-6) return;
-    const Vec3 along = (*wrist - *elbow) / forearm;
-    const double wrist_radius = girth_of(wrist_role).to;
-    add(*wrist + 0.03 * scale_ * along, *wrist + 0.085 * scale_ * along, 1.05 * wrist_radius,
-        0.85 * wrist_radius, style_.bone);
+    if (!wrist) return;
+    Vec3 knuckles(0);
+    int count = 0;
+    for (const int child : body_.skeleton.children(body_.skeleton.find(wrist_role)))
+      if (is_seen(child)) {
+        knuckles += at(child);
+        ++count;
+      }
+    Vec3 tip = *wrist;
+    if (count > 0)
+      tip = knuckles / static_cast<double>(count);
+    else if (elbow && glm::length(*wrist - *elbow) > 1e-6)
+      tip += 0.08 * scale_ * glm::normalize(*wrist - *elbow);
+    const double radius = girth_of(wrist_role).to;
+    if (glm::length(tip - *wrist) < radius) return;
+    add(mix(*wrist, tip, 0.3), tip, 1.05 * radius, 0.95 * radius, style_.bone);
   }
+  static Vec3 mix(const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); }
 
   void add_heel(HumanoidJoint knee_role, HumanoidJoint ankle_role, HumanoidJoint toe_role) {
     const auto knee = seen(knee_role), ankle = seen(ankle_role), toe = seen(toe_role);
-    if (!knee || !ankle || !toe) return;
+    if (!knee || !ankle || !toe || body_.skeleton.children(body_.skeleton.find(ankle_role)).size() > 1)
+      return;
     const Vec3 shin = *ankle - *knee, foot = *toe - *ankle;
     if (glm::length(shin) < 1e-6 || glm::length(foot) < 1e-6) return;
     // The heel lies behind and below the ankle, away from the toes.
@@ -181,7 +194,7 @@ class Builder {
   // An egg, narrow at the chin. The head joint is the base of the skull where the rig has a top of the head,
   // and the middle of the head where not.
   void add_head() {
-    const auto head = seen(Head), top = seen(HeadTop), neck = seen(Neck);
+    const auto head = seen(Head), top = seen(HeadTop);
     const double scale = scale_ / style_.thickness;
     if (!head) return;
     if (top && glm::length(*top - *head) > 0.02 * scale) {
@@ -189,13 +202,23 @@ class Builder {
       const double height = glm::length(up);
       const double crown = std::min(0.080 * scale, 0.45 * height);
       add(*head + up * 0.22, *top - up * (crown / height), 0.80 * crown, crown, style_.bone);
-    } else if (neck && glm::length(*head - *neck) > 1e-6) {
-      const Vec3 up = glm::normalize(*head - *neck);
+    } else if (const Vec3 up = head_up(*head); glm::length(up) > 1e-6) {
       const double crown = 0.080 * scale;
       add(*head - 0.05 * scale * up, *head + 0.02 * scale * up, 0.80 * crown, crown, style_.bone);
     } else {
       add(*head, *head, 0.085 * scale, 0.085 * scale, style_.bone);
     }
+  }
+  // From the face where the rig has one, else along the neck; zero where there is neither.
+  Vec3 head_up(const Vec3& head) const {
+    const int nose = body_.skeleton.find("nose"), left = body_.skeleton.find("left_ear"),
+              right = body_.skeleton.find("right_ear");
+    Vec3 up(0);
+    if (is_seen(nose) && is_seen(left) && is_seen(right))
+      up = glm::cross(at(nose) - head, at(left) - at(right));
+    else if (const auto neck = seen(Neck))
+      up = head - *neck;
+    return glm::length(up) > 1e-9 ? glm::normalize(up) : Vec3(0);
   }
 
   const BodyState& body_;
@@ -219,7 +242,7 @@ FigureStyle coach_style(Palette palette) {
   FigureStyle style;
   style.bone = colour_from_hex(0xF0443E);
   style.joint = colour_from_hex(0xFFD0CC);
-  style.opacity = 0.72;
+  style.opacity = 0.78;
   if (palette == Palette::ColourBlindSafe) {
     style.bone = colour_from_hex(0xF2A33A);
     style.joint = colour_from_hex(0xFFE7C2);

@@ -32,8 +32,9 @@ enum class Palette { RedGreen, ColourBlindSafe };
 FigureStyle student_style(Palette palette);
 FigureStyle coach_style(Palette palette);
 
-// One capsule a bone, one a drawn joint, plus head and hands; nothing for joints that were not seen or are
-// not finite. Asserts that the sizes fit the skeleton.
+// One capsule a bone and one a bending joint, plus head, hands and heels, which stand for all that a rig
+// has in them (eyes, fingers). Nothing for joints that were not seen or are not finite. Asserts that the
+// sizes fit the skeleton.
 Figure make_figure(const BodyState& body, const FigureStyle& style);
 
 }  // namespace posecoach

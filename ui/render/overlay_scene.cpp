@@ -118,7 +118,7 @@ void add_legend(Layout& layout, const OverlayStory& story) {
 
 void add_timeline(Layout& layout, const OverlayStory& story, const OverlayMoment& moment) {
   const double w = layout.width(), h = layout.height();
-  Box scrim = make_box({-60, h - 96}, {w + 120, 200}, 0, kInk.with_alpha(0.78F));
+  Box scrim = make_box({-60, h - 84}, {w + 120, 200}, 0, kInk.with_alpha(0.66F));
   scrim.softness = 44;
   layout.box(scrim);
 
@@ -187,9 +187,9 @@ OverlayStory make_overlay_story(const Analysis& analysis, Palette palette) {
     return of > 0 ? std::clamp(value / of, 0.0, 1.0) : 0.0;
   };
   for (const SwingEvent& event : analysis.student_events)
-    story.student_events.push_back(fraction(event.time_s, analysis.student.seconds));
+    story.student_events.push_back(fraction(event.frame, analysis.student.frames - 1));
   for (const SwingEvent& event : analysis.coach_events)
-    story.coach_events.push_back(fraction(event.time_s, analysis.coach.seconds));
+    story.coach_events.push_back(fraction(event.frame, analysis.coach.frames - 1));
   constexpr std::size_t kLinks = 44;
   const std::size_t count = analysis.path.size();
   for (std::size_t i = 0; i < std::min(count, kLinks); ++i) {

@@ -1,5 +1,6 @@
 #include "ui/render/words.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -7,11 +8,9 @@
 namespace posecoach {
 namespace {
 
-constexpr double kAtEvent_s = 0.07;
-
-bool passed(const std::vector<SwingEvent>& events, std::string_view name, double time_s) {
+bool is_past(const std::vector<SwingEvent>& events, std::string_view name, double frame) {
   for (const SwingEvent& event : events)
-    if (event.name == name) return time_s >= event.time_s;
+    if (event.name == name) return frame >= event.frame;
   return false;
 }
 
@@ -30,16 +29,16 @@ std::string title_from_name(std::string_view name) {
   return title;
 }
 
-std::string phase_title(const std::vector<SwingEvent>& events, double time_s) {
+std::string phase_title(const std::vector<SwingEvent>& events, double frame, double near) {
   if (events.empty()) return {};
-  const SwingEvent* nearest = &events.front();
-  for (const SwingEvent& event : events)
-    if (std::abs(event.time_s - time_s) < std::abs(nearest->time_s - time_s)) nearest = &event;
-  if (std::abs(nearest->time_s - time_s) <= kAtEvent_s) return title_from_name(nearest->name);
-  if (time_s < events.front().time_s) return "Getting ready";
-  if (time_s > events.back().time_s) return "Done";
-  if (passed(events, "impact", time_s)) return "Follow-through";
-  if (passed(events, "top", time_s)) return "Downswing";
+  const auto distance = [&](const SwingEvent& event) { return std::abs(event.frame - frame); };
+  const SwingEvent& nearest = *std::min_element(
+      events.begin(), events.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  if (distance(nearest) <= near) return title_from_name(nearest.name);
+  if (frame < events.front().frame) return "Before the swing";
+  if (frame > events.back().frame) return "After the swing";
+  if (is_past(events, "impact", frame)) return "Follow-through";
+  if (is_past(events, "top", frame)) return "Downswing";
   return "Backswing";
 }
 

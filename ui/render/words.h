@@ -12,9 +12,9 @@ namespace posecoach {
 // "left_elbow" -> "Left elbow", "mid_follow_through" -> "Mid follow-through", "tempo_ratio" -> "Tempo ratio".
 std::string title_from_name(std::string_view name);
 
-// What goes on at `time_s`: an event's title close to it, else the part of the stroke between two events
-// ("Backswing"); empty when there are no events.
-std::string phase_title(const std::vector<SwingEvent>& events, double time_s);
+// What goes on at a frame: the title of an event at most `near` frames away, else the part of the stroke
+// between two events ("Backswing"); empty when there are no events.
+std::string phase_title(const std::vector<SwingEvent>& events, double frame, double near);
 
 // With `digits` after the point, whatever the locale.
 std::string decimal(double value, int digits);

@@ -1,0 +1,33 @@
+// The aligned motions boiled down to what a report can carry: some pairs of moments with both bodies' main
+// joints, turned so that the student faces +Z at the first of them, feet around the origin.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "ui/report/comparison.h"
+
+namespace posecoach {
+
+struct ReplayStep {
+  int student_frame = 0, coach_frame = 0;
+  double student_s = 0, coach_s = 0;  // from each motion's own beginning
+  double apart_m = 0;                 // mean joint error
+  // How fast the student goes compared with the coach here: 1 alike, 2 twice as fast.
+  double speed = 1;
+  std::vector<Vec3> student, coach;  // one a joint of the replay, metres
+};
+
+struct Replay {
+  std::vector<HumanoidJoint> joints;       // those that both bodies have
+  std::vector<std::pair<int, int>> bones;  // indices into `joints`
+  std::vector<ReplayStep> steps;           // in time
+};
+
+// Takes every pair of the path, or `most_steps` of them spread evenly.
+Replay make_replay(const Comparison& comparison, int most_steps);
+
+// Index of the step nearest to a frame of the student. Asserts that there are steps.
+int step_at_student_frame(const Replay& replay, int student_frame);
+
+}  // namespace posecoach

@@ -1,0 +1,216 @@
+#include "ui/report/report_sections.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/render/words.h"
+#include "ui/report/html.h"
+
+namespace posecoach::report {
+namespace {
+
+using html::escape;
+
+std::string section(std::string_view id, std::string_view title, const std::string& body,
+                    std::string_view lead = {}) {
+  if (body.empty()) return {};
+  std::string result = "<section id=\"" + std::string(id) + "\"><h2>" + std::string(title) + "</h2>";
+  if (!lead.empty()) result += "<p class=\"lead\">" + std::string(lead) + "</p>";
+  return result + body + "</section>\n";
+}
+
+// Shows the moment above when the page can; a plain word on paper.
+std::string moment_button(const Replay& replay, int student_frame) {
+  if (replay.steps.empty()) return {};
+  return "<button type=\"button\" class=\"moment\" data-step=\"" +
+         std::to_string(step_at_student_frame(replay, student_frame)) + "\">Show the moment</button>";
+}
+
+std::string centimetres(double metres, int digits = 1) {
+  return decimal(100 * metres, digits) + "&nbsp;cm";
+}
+
+std::string score_ring(double percent) {
+  constexpr double kRadius = 52, kLength = 2 * 3.14159265358979 * kRadius;
+  const double filled = kLength * std::clamp(percent, 0.0, 100.0) / 100;
+  const std::string_view grade = percent >= 85 ? "good" : percent >= 60 ? "fair" : "poor";
+  return "<svg class=\"ring " + std::string(grade) +
+         "\" viewBox=\"0 0 120 120\" role=\"img\" aria-label=\"Overall match " + decimal(percent, 0) +
+         " of 100\"><circle class=\"track\" cx=\"60\" cy=\"60\" r=\"52\"/><circle class=\"value\" cx=\"60\" "
+         "cy=\"60\" r=\"52\" stroke-dasharray=\"" +
+         decimal(filled, 1) + " " + decimal(kLength, 1) +
+         "\" transform=\"rotate(-90 60 60)\"/><text x=\"60\" y=\"70\">" + decimal(percent, 0) +
+         "</text><text class=\"of\" x=\"60\" y=\"88\">of 100</text></svg>";
+}
+
+std::string_view kind_word(AdviceKind kind) {
+  switch (kind) {
+    case AdviceKind::Timing:
+      return "Timing";
+    case AdviceKind::Spatial:
+      return "Position";
+    case AdviceKind::None:
+      return "All good";
+  }
+  return "";
+}
+
+std::string value_text(const Metric& metric) {
+  const double size = std::max(std::abs(metric.value), 1e-9);
+  const int digits = size >= 100 ? 0 : size >= 10 ? 1 : 2;
+  const std::string unit = metric.unit == "deg"  ? "°"
+                           : metric.unit.empty() ? ""
+                                                 : "&nbsp;" + escape(metric.unit);
+  std::string text = "<b>" + decimal(metric.value, digits) + "</b>";
+  if (metric.plus_minus > 0)
+    text += " <span class=\"pm\">±&nbsp;" + decimal(metric.plus_minus, digits) + "</span>";
+  return text + unit;
+}
+
+}  // namespace
+
+std::string summary_section(const Analysis& analysis, const Replay& replay) {
+  std::string main = "<p class=\"headline\">No advice</p>";
+  std::string others;
+  for (std::size_t i = 0; i < analysis.advice.size(); ++i) {
+    const Advice& advice = analysis.advice[i];
+    const std::string kind = "<span class=\"chip\">" + std::string(kind_word(advice.kind)) + "</span>";
+    const std::string button =
+        advice.kind == AdviceKind::None ? "" : moment_button(replay, advice.student_frame);
+    if (i == 0)
+      main = "<p class=\"eyebrow\">" +
+             std::string(advice.kind == AdviceKind::None ? "The verdict" : "The one thing to change") +
+             "</p><p class=\"headline\">" + escape(advice.text) + "</p><p>" + kind + button + "</p>";
+    else
+      others += "<li><p>" + escape(advice.text) + "</p><p>" + kind + button + "</p></li>";
+  }
+  if (!others.empty())
+    others =
+        "<div class=\"then\"><p class=\"eyebrow\">After that</p><ol start=\"2\">" + others + "</ol></div>";
+  const Score& score = analysis.score;
+  return "<section id=\"summary\"><div class=\"score\">" + score_ring(score.percent) +
+         "<div><p class=\"eyebrow\">Overall match</p><p><b>" + centimetres(score.mean_joint_error_m) +
+         "</b> mean distance a joint</p><p class=\"quiet\">Raw score " + decimal(score.raw, 2) +
+         ", lower is better</p></div></div><div class=\"main\">" + main + "</div>" + others + "</section>\n";
+}
+
+std::string pictures_section(const Analysis& analysis, std::span<const ReportPicture> pictures,
+                             const Replay& replay, Palette palette) {
+  std::string body;
+  for (const ReportPicture& picture : pictures) {
+    if (picture.image.empty()) continue;
+    double apart = -1;
+    for (const FramePair& pair : analysis.worst_frames)
+      if (pair.student_frame == picture.student_frame) apart = pair.mean_error_m;
+    body += "<figure><img alt=\"" + escape(picture.caption) + "\" width=\"" +
+            std::to_string(picture.image.width) + "\" height=\"" + std::to_string(picture.image.height) +
+            "\" src=\"" + html::jpeg_uri(picture.image) + "\"><figcaption><b>" + escape(picture.caption) +
+            "</b><span class=\"quiet\">";
+    if (apart >= 0) body += centimetres(apart) + " a joint, ";
+    body += "your frame " + std::to_string(picture.student_frame) + ", coach’s " +
+            std::to_string(picture.coach_frame) + "</span>" + moment_button(replay, picture.student_frame) +
+            "</figcaption></figure>";
+  }
+  if (!body.empty()) body = "<div class=\"pictures\">" + body + "</div>";
+  return section("pictures", "Where you differ most", body,
+                 palette == Palette::RedGreen
+                     ? "You in <span class=\"student\">green</span>, the coach in your body in <span "
+                       "class=\"coach\">red</span>."
+                     : "You in <span class=\"student\">blue</span>, the coach in your body in <span "
+                       "class=\"coach\">orange bands</span>.");
+}
+
+std::string joints_section(const Analysis& analysis) {
+  double largest = 0.01;
+  for (const JointError& error : analysis.joint_errors) largest = std::max(largest, error.max_m);
+  std::string rows;
+  for (const JointError& error : analysis.joint_errors) {
+    const auto share = [&](double metres) {
+      return decimal(100 * std::clamp(metres / largest, 0.0, 1.0), 1);
+    };
+    rows += "<div class=\"bar\"><span>" + escape(title_from_name(error.joint)) +
+            "</span><span class=\"rail\"><i class=\"most\" style=\"width:" + share(error.max_m) +
+            "%\"></i><i class=\"mean\" style=\"width:" + share(error.mean_m) +
+            "%\"></i></span><span class=\"number\">" + centimetres(error.mean_m) + "</span></div>";
+  }
+  if (!rows.empty()) rows = "<div class=\"bars\">" + rows + "</div>";
+  return section("joints", "Joint by joint", rows,
+                 "Mean distance from the coach over the whole motion; the pale part reaches to the largest.");
+}
+
+std::string timing_section(const Analysis& analysis) {
+  std::string rows;
+  for (const TimingAdvice& timing : analysis.timing) {
+    const double ratio = timing.ratio;
+    const bool known = std::isfinite(ratio) && ratio > 0;
+    const std::string_view tone = !known || std::abs(ratio - 1) < 0.1 ? "same"
+                                  : ratio < 1                         ? "faster"
+                                                                      : "slower";
+    rows += "<tr><th scope=\"row\">" + escape(title_from_name(timing.from)) + " → " +
+            escape(title_from_name(timing.to)) + "</th><td>" + decimal(timing.student_s, 2) +
+            "&nbsp;s</td><td>" + decimal(timing.coach_s, 2) + "&nbsp;s</td><td><span class=\"tone " +
+            std::string(tone) + "\">" + (known ? "×&nbsp;" + decimal(ratio, 2) : "–") +
+            "</span></td><td class=\"wide\">" + escape(timing.advice) + "</td></tr>";
+  }
+  if (!rows.empty())
+    rows =
+        "<div class=\"scroll\"><table><thead><tr><th>Part</th><th>You</th><th>Coach</th><th>Ratio</th><th "
+        "class=\"wide\">What to do</th></tr></thead><tbody>" +
+        rows + "</tbody></table></div>";
+  return section("timing", "Timing", rows);
+}
+
+std::string spatial_section(const Analysis& analysis, const Replay& replay) {
+  std::string rows;
+  for (const SpatialAdvice& spatial : analysis.spatial)
+    rows += "<tr><th scope=\"row\">" + escape(title_from_name(spatial.joint)) + "</th><td>" +
+            escape(title_from_name(spatial.event)) + "</td><td>" + centimetres(spatial.distance_m) +
+            "</td><td class=\"wide\">" + escape(spatial.advice) + " " +
+            moment_button(replay, spatial.student_frame) + "</td></tr>";
+  if (!rows.empty())
+    rows =
+        "<div class=\"scroll\"><table><thead><tr><th>Joint</th><th>At</th><th>Off by</th><th "
+        "class=\"wide\">What to do</th></tr></thead><tbody>" +
+        rows + "</tbody></table></div>";
+  return section("positions", "Positions", rows);
+}
+
+std::string metrics_section(const Analysis& analysis) {
+  std::string rows;
+  for (const Metric& metric : analysis.metrics) {
+    const bool available = metric.available && std::isfinite(metric.value);
+    rows += std::string("<tr") + (available ? "" : " class=\"off\"") + "><th scope=\"row\">" +
+            escape(title_from_name(metric.name)) + "</th><td>" +
+            (available ? value_text(metric) : "–</td><td class=\"wide\">" + escape(metric.reason)) +
+            (available ? "</td><td class=\"wide\">" : "") + "</td></tr>";
+  }
+  if (!rows.empty())
+    rows = "<div class=\"scroll\"><table class=\"metrics\"><tbody>" + rows + "</tbody></table></div>";
+  return section(
+      "metrics", "Measurements", rows,
+      "With the uncertainty of one camera. What this view cannot show is left out, with the reason.");
+}
+
+std::string method_section(const Analysis& analysis) {
+  std::string notes;
+  for (const std::string& note : analysis.notes) notes += "<li>" + escape(note) + "</li>";
+  if (!notes.empty()) notes = "<ul>" + notes + "</ul>";
+  const auto motion = [](std::string_view who, const MotionSummary& summary) {
+    return "<dt>" + std::string(who) + "</dt><dd>" + escape(summary.source) + "<span class=\"quiet\"> – " +
+           std::to_string(summary.frames) + " frames, " + decimal(summary.seconds, 2) + " s, " +
+           std::to_string(summary.joints) + " joints" +
+           (summary.hand ? *summary.hand == Handedness::Left ? ", left-handed" : ", right-handed" : "") +
+           "</span></dd>";
+  };
+  return section("method", "Notes and method",
+                 notes + "<dl>" + motion("You", analysis.student) + motion("Coach", analysis.coach) +
+                     "<dt>Coach in your body</dt><dd>Method “" + escape(analysis.retarget_method) +
+                     "”, bone lengths within " + decimal(100 * analysis.bone_length_error_max, 3) +
+                     "&nbsp;%</dd><dt>Score</dt><dd>Both motions are matched moment by moment (dynamic time "
+                     "warping) with the "
+                     "pelvis in one place and facing the same way. The raw score is the sum of all joint "
+                     "distances along the "
+                     "match: lower is better.</dd></dl>");
+}
+
+}  // namespace posecoach::report
