@@ -37,17 +37,16 @@ double chain_length(const Skeleton& skeleton, int end) {
 
 double mean_slide_cm_s(const Motion& student, const FootContacts& contacts) {
   double way = 0, seconds = 0;
-  for (const auto& [toe, ankle, planted] :
-       {std::tuple(LeftToe, LeftAnkle, &contacts.left), std::tuple(RightToe, RightAnkle, &contacts.right)}) {
-    const int joint = student.skeleton().find(student.skeleton().has(toe) ? toe : ankle);
-    for (const PlantedFoot& contact : *planted)
+  for (const bool left : {true, false})
+    for (const PlantedFoot& contact : left ? contacts.left : contacts.right) {
+      const int joint = anchor_joint(student.skeleton(), contact.anchor, left);
       for (int f = contact.begin + 1; f < contact.end; ++f) {
         Vec3 step = student.position(f, joint) - student.position(f - 1, joint);
         step.y = 0;
         way += glm::length(step);
         seconds += to_seconds(student.time(f) - student.time(f - 1));
       }
-  }
+    }
   return seconds > 0 ? 100 * way / seconds : 0;
 }
 

@@ -28,7 +28,7 @@ struct PairErrors {
   double eq16_cm = 0;
   double bone_length = 0;         // largest relative error
   std::optional<double> grip_cm;  // mean error of the wrists' relation while the coach's hands hold together
-  double slide_cm_s = 0;          // mean speed along the floor of toes that the coach has planted
+  double slide_cm_s = 0;          // mean speed along the floor of feet that the coach has planted
   double jitter_m_s3 = 0;         // mean third derivative of the joints, root at the origin
 };
 // Three motions of the same frames; `predicted` and `truth` on the same skeleton. Asserts that.

@@ -1,8 +1,7 @@
-// Feet that stand where the coach's stand: found from the coach's speed and height, held still in the
+// Feet that stand where the coach's stand: found from the coach's speeds and heights, held still in the
 // student.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/motion/motion.h"
@@ -10,19 +9,28 @@
 
 namespace posecoach {
 
+// What of a foot stays in its place: the ankle while the heel is down, else the ball of the foot.
+enum class FootAnchor { Ankle, Toe };
+
 struct PlantedFoot {
   int begin = 0, end = 0;  // frames [begin, end)
+  FootAnchor anchor = FootAnchor::Ankle;
 };
 struct FootContacts {
-  std::vector<PlantedFoot> left, right;  // in order of time, apart from each other
+  // In order of time. Neighbours without a gap are one stance: the heel comes up or down.
+  std::vector<PlantedFoot> left, right;
+  double floor_m = 0;  // below the coach, in his world: where his soles are in these stances
 };
 
-// A foot is planted while its toes (ball of the foot; the ankle where a rig has none) are slow and near the
-// floor for at least 0.12 s. Speeds and heights count relative to the legs' length.
+// A foot is planted while ankle or toes are slow and near the height at which they usually stand, for at
+// least 0.12 s. Speeds and heights count relative to the legs' length. A rig without toes has ankles only.
 FootContacts find_foot_contacts(const Motion& coach);
 
-// Ankles go the coach's ways in leg lengths, planted feet stand still on the student's floor; the legs
-// follow, and the hips where a leg is too short.
+// The joint that a contact holds, on any body: the ankle where the body has no toes.
+int anchor_joint(const Skeleton& skeleton, FootAnchor anchor, bool left);
+
+// Ankles go the coach's ways in leg lengths, planted feet stand still on the coach's floor (its height scaled
+// like the path); the legs follow, and the hips where a leg is too short.
 void plant_feet(const Motion& coach, PosedMotion& student);
 
 }  // namespace posecoach

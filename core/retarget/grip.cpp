@@ -7,6 +7,7 @@
 
 #include "core/body/two_bone_ik.h"
 #include "core/retarget/limb.h"
+#include "core/retarget/smoothing.h"
 
 namespace posecoach {
 namespace {
@@ -22,14 +23,6 @@ constexpr double kMostCollarTurn = radians_from_degrees(12);
 
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
-}
-
-// Frames whose time is within `half_s` of frame i's, as [first, last].
-std::pair<std::size_t, std::size_t> window(std::span<const MediaTime> times, std::size_t i, double half_s) {
-  std::size_t first = i, last = i;
-  while (first > 0 && to_seconds(times[i] - times[first - 1]) <= half_s) --first;
-  while (last + 1 < times.size() && to_seconds(times[last + 1] - times[i]) <= half_s) ++last;
-  return {first, last};
 }
 
 // Zeroes the stretches in which the hands are not together for long; a shorter motion may be all grip.
@@ -102,11 +95,11 @@ std::vector<double> grip_weights(const Motion& coach) {
   // Widened before it is smoothed, so that the flanks lie outside and the grip itself keeps its full weight.
   std::vector<double> wide(near.size()), smooth(near.size());
   for (std::size_t i = 0; i < near.size(); ++i) {
-    const auto [first, last] = window(coach.times(), i, kFlank_s);
+    const auto [first, last] = frames_within(coach.times(), i, kFlank_s);
     for (std::size_t j = first; j <= last; ++j) wide[i] = std::max(wide[i], near[j]);
   }
   for (std::size_t i = 0; i < near.size(); ++i) {
-    const auto [first, last] = window(coach.times(), i, kFlank_s);
+    const auto [first, last] = frames_within(coach.times(), i, kFlank_s);
     double sum = 0, weights = 0;
     for (std::size_t j = first; j <= last; ++j) {
       const double off =

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/body/two_bone_ik.h"
+#include "core/retarget/smoothing.h"
 #include "core/retarget/t_pose.h"
 
 namespace posecoach {
@@ -29,25 +30,6 @@ Vec3 bend_of(const Vec3& root, const Vec3& middle, const Vec3& end) {
   const double length2 = glm::dot(line, line);
   const Vec3 to_middle = middle - root;
   return length2 < 1e-12 ? to_middle : to_middle - line * (glm::dot(to_middle, line) / length2);
-}
-
-std::vector<Vec3> smoothed(const std::vector<Vec3>& values, std::span<const MediaTime> times,
-                           double sigma_s) {
-  std::vector<Vec3> result(values.size());
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    while (to_seconds(times[i] - times[begin]) > 3 * sigma_s) ++begin;
-    Vec3 sum(0);
-    double weights = 0;
-    for (std::size_t j = begin; j < values.size() && to_seconds(times[j] - times[i]) <= 3 * sigma_s; ++j) {
-      const double distance = to_seconds(times[j] - times[i]) / sigma_s;
-      const double weight = std::exp(-0.5 * distance * distance);
-      sum += weight * values[j];
-      weights += weight;
-    }
-    result[i] = sum / weights;
-  }
-  return result;
 }
 
 bool inside(const Vec3& p, const Vec3& centre, double radius) {
@@ -84,7 +66,7 @@ LimbReacher::LimbReacher(const PosedMotion& motion, const Limb& limb) : limb_(li
         bend_of(motion.position(f, limb.root), motion.position(f, limb.middle), motion.position(f, limb.end));
     bends_.push_back(glm::conjugate(motion.rotation(f, limb.body)) * bend);
   }
-  const std::vector<Vec3> steady = smoothed(bends_, motion.times(), kBendSmoothing_s);
+  const std::vector<Vec3> steady = smoothed_over_time(bends_, motion.times(), kBendSmoothing_s);
   for (std::size_t f = 0; f < bends_.size(); ++f) {
     const double shown = smooth_step(0.01, 0.05, glm::length(bends_[f]) / (upper_ + lower_));
     bends_[f] = glm::mix(steady[f], bends_[f], shown) + 1e-3 * (1 - shown) * (upper_ + lower_) * usual;

@@ -14,13 +14,18 @@ Vec3 hip_centre(const Skeleton& skeleton, std::span<const Vec3> positions) {
                 positions[static_cast<std::size_t>(skeleton.find(RightHip))]);
 }
 
-double hip_height(const Skeleton& skeleton, const TPose& t_pose) {
-  const double hips = hip_centre(skeleton, t_pose.positions).y;
-  double lowest = hips;
+double sole_clearance(const Skeleton& skeleton, const TPose& t_pose, int joint) {
+  const double height = t_pose.positions[static_cast<std::size_t>(joint)].y;
+  double lowest = height;
   for (const HumanoidJoint role : {LeftAnkle, RightAnkle, LeftToe, RightToe, LeftToeTip, RightToeTip})
-    if (const int joint = skeleton.find(role); joint != kNoJoint)
-      lowest = std::min(lowest, t_pose.positions[static_cast<std::size_t>(joint)].y);
-  return hips - lowest;
+    if (const int foot = skeleton.find(role); foot != kNoJoint)
+      lowest = std::min(lowest, t_pose.positions[static_cast<std::size_t>(foot)].y);
+  return height - lowest;
+}
+
+double hip_height(const Skeleton& skeleton, const TPose& t_pose) {
+  return 0.5 * (sole_clearance(skeleton, t_pose, skeleton.find(LeftHip)) +
+                sole_clearance(skeleton, t_pose, skeleton.find(RightHip)));
 }
 
 }  // namespace posecoach

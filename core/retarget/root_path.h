@@ -10,6 +10,9 @@ namespace posecoach {
 // Mid-hips above the lowest joint of the legs, T-pose, metres.
 double hip_height(const Skeleton& skeleton, const TPose& t_pose);
 
+// A joint above the lowest joint of the legs, T-pose, metres.
+double sole_clearance(const Skeleton& skeleton, const TPose& t_pose, int joint);
+
 // Mid-hips of a frame.
 Vec3 hip_centre(const Skeleton& skeleton, std::span<const Vec3> positions);
 
