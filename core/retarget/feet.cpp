@@ -15,7 +15,7 @@ namespace {
 
 // A foot's way back to where it would be without the floor.
 constexpr double kRelease_s = 0.25;
-// A heel that comes down a little high or low sinks to its height.
+// A heel or toe that takes over a little high or low settles at its height.
 constexpr double kSettling_s = 0.15;
 constexpr double kHipSmoothing_s = 0.15;
 constexpr double kComfortableReach = 0.9995;
@@ -93,7 +93,7 @@ class FootPlanter {
         place.y = height;
       } else {
         place = student_.position(contact.begin - 1, joint) + shifts[index(contact.begin - 1)];
-        if (contact.anchor == FootAnchor::Ankle) too_high = place.y - height;
+        too_high = place.y - height;
       }
       for (int f = contact.begin; f < contact.end; ++f) {
         const double sunk = too_high * (1 - release(seconds(contact.begin, f) / kSettling_s));
