@@ -2,9 +2,12 @@
 #include <cstdio>
 
 #include "app/bench_command.h"
+#include "app/body_command.h"
 #include "app/commands.h"
 #include "app/evaluate_pose_command.h"
+#include "app/evaluate_retarget_command.h"
 #include "app/pose_command.h"
+#include "app/retarget_command.h"
 #include "app/simulate_command.h"
 
 namespace posecoach {
@@ -15,10 +18,13 @@ int run(int argc, char** argv) {
   Action action;
   cli.require_subcommand(0, 1);
   add_pose_command(cli, action);
+  add_body_command(cli, action);
+  add_retarget_command(cli, action);
   CLI::App* evaluate =
       cli.add_subcommand("evaluate", "How good the parts are, against data with known answers");
   evaluate->require_subcommand(1);
   add_evaluate_pose_command(*evaluate, action);
+  add_evaluate_retarget_command(*evaluate, action);
   add_simulate_command(cli, action);
   add_bench_command(cli, action);
   try {
