@@ -51,7 +51,7 @@ class Parser {
     return scanner_.failure("expected " + std::string(expected) + ", found " + found(word));
   }
   static std::string found(std::string_view word) {
-    return word.empty() ? "the end of the file" : quoted(word);
+    return word.empty() ? "the end of the file" : in_quotes(word);
   }
 
   Result<double> number(const std::string& what) {
@@ -103,7 +103,7 @@ class Parser {
                                 std::to_string(*count) + " were announced");
       const auto& all = current().channels;
       if (channel->kind == BvhChannel::Kind::Position && std::count(all.begin(), all.end(), *channel) > 0)
-        return scanner_.failure("the channel " + quoted(name) + " stands twice in one joint");
+        return scanner_.failure("the channel " + in_quotes(name) + " stands twice in one joint");
       current().channels.push_back(*channel);
     }
     return {};
@@ -112,7 +112,7 @@ class Parser {
   Result<void> close_joint() {
     if (!open_.back().has_offset) {
       const BvhJoint& joint = current();
-      return scanner_.failure((joint.is_end_site ? "this End Site" : "the joint " + quoted(joint.name)) +
+      return scanner_.failure((joint.is_end_site ? "this End Site" : "the joint " + in_quotes(joint.name)) +
                               " has no OFFSET");
     }
     open_.pop_back();
@@ -184,7 +184,7 @@ class Parser {
     }
     if (!scanner_.at_end()) {
       const std::string_view word = scanner_.next();
-      return scanner_.failure("the file goes on with " + quoted(word) + " after its " +
+      return scanner_.failure("the file goes on with " + in_quotes(word) + " after its " +
                               std::to_string(frames) + " frames");
     }
     return {};
@@ -196,7 +196,7 @@ class Parser {
         std::to_string(channel + 1) + " of " + std::to_string(document_.channel_count());
     const std::string_view word = scanner_.next();
     if (word.empty()) return scanner_.failure("the file ends too early, in " + where);
-    return scanner_.failure(quoted(word) + " is not a usable number (" + where + ")");
+    return scanner_.failure(in_quotes(word) + " is not a usable number (" + where + ")");
   }
 
   tl::unexpected<Error> not_at_line_end(std::size_t frame) {

@@ -10,6 +10,7 @@
 namespace posecoach {
 namespace {
 
+constexpr double kStaturePerLegAndTrunk = 1.0 / (0.491 + 0.288);  // of the standard body
 constexpr double kMostArmDeviation = radians_from_degrees(25);
 constexpr double kMostLegDeviation = radians_from_degrees(18);
 
@@ -72,8 +73,7 @@ double stature(const RestPose& rest) {
   const double leg = std::max(rest.chain_length(LeftHip, LeftAnkle), rest.chain_length(RightHip, RightAnkle));
   const double trunk = std::max(rest.chain_length(Pelvis, Neck), rest.chain_length(Pelvis, Chest));
   if (leg <= 0 || trunk <= 0) return rest.largest_extent();
-  constexpr double kStaturePerLegAndNeck = 1.0 / (0.491 + 0.288);  // of the standard body
-  return (leg + trunk) * kStaturePerLegAndNeck;
+  return (leg + trunk) * kStaturePerLegAndTrunk;
 }
 
 bool has_hand_bones(std::span<const Joint> joints) {
@@ -182,6 +182,10 @@ std::vector<Quat> rest_rotations(std::span<const Joint> joints, const RestPose& 
 }
 
 }  // namespace
+
+double metres_per_unit_of_person(double length) {
+  return metres_per_unit(length * kStaturePerLegAndTrunk, false);
+}
 
 Quat rotation_to_y_up(const Vec3& up) {
   const Vec3 axis = snapped_to_axis(up);

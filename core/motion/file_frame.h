@@ -25,6 +25,9 @@ struct FileFrame {
 // rest pose. Errors: Malformed when the body has no extent.
 Result<FileFrame> file_frame(std::span<const Joint> joints);
 
+// The unit in which a person's leg (hip to ankle) and trunk (pelvis to neck) together are `length` long.
+double metres_per_unit_of_person(double length);
+
 // The offsets in our frame.
 std::vector<Joint> converted(std::vector<Joint> joints, const FileFrame& frame);
 

@@ -1,33 +1,184 @@
 #include "core/motion/motion_file.h"
 
+#include <algorithm>
+
 #include "core/base/file.h"
+#include "core/body/body_file.h"
+#include "core/motion/asf_amc_reader.h"
 #include "core/motion/bvh_motion.h"
+#include "core/motion/c3d_reader.h"
+#include "core/motion/pose_file.h"
 #include "core/motion/text_scanner.h"
+#include "core/motion/trc.h"
 
 namespace posecoach {
 namespace fs = std::filesystem;
 
-Result<MotionFormat> motion_format(const fs::path&) {
-  return MotionFormat::Bvh;
+namespace {
+
+constexpr std::string_view kKnownKinds =
+    ".bvh, .asf with .amc, .c3d, .trc, .pose.json, or a folder of OpenPose JSON";
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
 }
 
-Result<MotionFile> read_motion_file(const fs::path& path, const MotionReadOptions&) {
-  const auto text = read_file(path);
-  if (!text) return tl::unexpected(text.error());
-  return read_bvh(path.string(), *text);
+bool begins_with_word(std::string_view text, std::string_view word) {
+  return equals_ignoring_case(trimmed(text.substr(0, text.size())).substr(0, word.size()), word);
 }
 
-Result<SkeletonFile> read_skeleton_file(const fs::path& path, const MotionReadOptions&) {
-  const auto text = read_file(path);
-  if (!text) return tl::unexpected(text.error());
-  return read_bvh_skeleton(path.string(), *text);
+// An .asf is a skeleton, an .amc a motion; both begin with comments and keywords after colons.
+bool has_keyword(std::string_view text, std::string_view keyword) {
+  constexpr std::size_t kSearched = 1 << 16;
+  return to_lower(text.substr(0, kSearched)).find(keyword) != std::string::npos;
+}
+
+std::optional<MotionFormat> format_by_content(std::string_view bytes) {
+  constexpr std::size_t kHead = 4096;
+  const std::string_view head = trimmed(without_byte_order_mark(bytes.substr(0, kHead)));
+  if (begins_with_word(head, "HIERARCHY")) return MotionFormat::Bvh;
+  if (head.starts_with("PathFileType")) return MotionFormat::Trc;
+  if (bytes.size() >= 512 && bytes[1] == 0x50 && bytes[0] > 0 && bytes[0] < 64) return MotionFormat::C3d;
+  if (head.starts_with('{')) {
+    if (bytes.find("\"posecoach.body/1\"") != std::string_view::npos) return MotionFormat::BodyFile;
+    if (bytes.find("\"posecoach.pose/1\"") == std::string_view::npos) return std::nullopt;
+    return bytes.find("\"skeleton\"") != std::string_view::npos ? MotionFormat::PoseMotion
+                                                                : MotionFormat::PoseTrack;
+  }
+  if ((head.starts_with('#') || head.starts_with(':')) &&
+      (has_keyword(bytes, ":fully-specified") || has_keyword(bytes, ":degrees") ||
+       has_keyword(bytes, ":bonedata") || has_keyword(bytes, ":radians")))
+    return MotionFormat::AsfAmc;
+  return std::nullopt;
+}
+
+// For a file whose contents say nothing: its reader then says what is wrong with it.
+std::optional<MotionFormat> format_by_name(const fs::path& path) {
+  const std::string name = to_lower(path.filename().string());
+  if (name.ends_with(".bvh")) return MotionFormat::Bvh;
+  if (name.ends_with(".trc")) return MotionFormat::Trc;
+  if (name.ends_with(".c3d")) return MotionFormat::C3d;
+  if (name.ends_with(".amc") || name.ends_with(".asf")) return MotionFormat::AsfAmc;
+  if (name.ends_with(".body.json")) return MotionFormat::BodyFile;
+  if (name.ends_with(".pose.json")) return MotionFormat::PoseTrack;
+  return std::nullopt;
+}
+
+struct Content {
+  MotionFormat format;
+  std::string bytes;
+};
+
+Result<Content> read_content(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return Content{MotionFormat::OpenPoseFolder, {}};
+  auto bytes = read_file(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (bytes->empty()) return fail(ErrorCode::Malformed, path.string() + ":1: the file is empty");
+  auto format = format_by_content(*bytes);
+  if (!format) format = format_by_name(path);
+  if (!format)
+    return fail(ErrorCode::Unsupported,
+                path.string() + " is no motion file that can be read (" + std::string(kKnownKinds) + ")");
+  return Content{*format, *std::move(bytes)};
+}
+
+MotionProvenance without_layout(MotionFormat format, const Skeleton& skeleton) {
+  MotionProvenance provenance;
+  provenance.format = format;
+  provenance.frame.rest_from_file.assign(static_cast<std::size_t>(skeleton.size()), Quat(1, 0, 0, 0));
+  return provenance;
+}
+
+Result<MotionFile> with_format(MotionFormat format, Result<Motion> motion) {
+  if (!motion) return tl::unexpected(motion.error());
+  MotionProvenance provenance = without_layout(format, motion->skeleton());
+  return MotionFile{*std::move(motion), std::move(provenance)};
+}
+
+Result<MotionFile> markers_of(MotionFormat format, const std::string& name, Result<MarkerTrack> track) {
+  if (!track) return tl::unexpected(track.error());
+  return with_format(format, motion_from_markers(name, *std::move(track)));
+}
+
+Result<MotionFile> pose_motion(const std::string& name, std::string_view text) {
+  auto content = read_pose_json(name, text);
+  if (!content) return tl::unexpected(content.error());
+  if (std::holds_alternative<PoseTrack>(*content))
+    return fail(ErrorCode::Unsupported,
+                name + ": this file says what was seen in a film; it is no motion in the world yet");
+  return with_format(MotionFormat::PoseMotion, std::get<Motion>(*std::move(content)));
+}
+
+}  // namespace
+
+Result<MotionFormat> motion_format(const fs::path& path) {
+  const auto content = read_content(path);
+  if (!content) return tl::unexpected(content.error());
+  return content->format;
+}
+
+Result<MotionFile> read_motion_file(const fs::path& path, const MotionReadOptions& options) {
+  const auto content = read_content(path);
+  if (!content) return tl::unexpected(content.error());
+  const std::string name = path.string();
+  switch (content->format) {
+    case MotionFormat::Bvh:
+      return read_bvh(name, content->bytes);
+    case MotionFormat::AsfAmc:
+      return read_amc_file(path, content->bytes, options.amc_frames_per_second);
+    case MotionFormat::C3d:
+      return markers_of(MotionFormat::C3d, name, read_c3d(name, content->bytes));
+    case MotionFormat::Trc:
+      return markers_of(MotionFormat::Trc, name, read_trc(name, content->bytes));
+    case MotionFormat::PoseMotion:
+    case MotionFormat::PoseTrack:
+      return pose_motion(name, content->bytes);
+    case MotionFormat::BodyFile:
+      return fail(ErrorCode::Incomplete, name + ": this is a body without a motion");
+    case MotionFormat::OpenPoseFolder:
+      return fail(ErrorCode::Unsupported,
+                  name +
+                      ": a folder of OpenPose JSON has 2D joints only, and here a 3D motion is needed; "
+                      "analyse the film itself instead");
+  }
+  return fail(ErrorCode::Internal, name + ": unknown kind of file");
+}
+
+Result<SkeletonFile> read_skeleton_file(const fs::path& path, const MotionReadOptions& options) {
+  const auto content = read_content(path);
+  if (!content) return tl::unexpected(content.error());
+  const std::string name = path.string();
+  if (content->format == MotionFormat::Bvh) return read_bvh_skeleton(name, content->bytes);
+  if (content->format == MotionFormat::AsfAmc && is_asf(content->bytes))
+    return read_asf_skeleton(name, content->bytes);
+  if (content->format == MotionFormat::BodyFile) {
+    auto body = body_from_json(content->bytes, name);
+    if (!body) return tl::unexpected(body.error());
+    MotionProvenance provenance = without_layout(MotionFormat::BodyFile, *body);
+    return SkeletonFile{*std::move(body), std::move(provenance)};
+  }
+  auto file = read_motion_file(path, options);
+  if (!file) return tl::unexpected(file.error());
+  return SkeletonFile{file->motion.skeleton(), std::move(file->provenance)};
 }
 
 Result<void> write_motion_file(const fs::path& path, const Motion& motion,
                                const MotionProvenance& provenance) {
-  const auto bytes = bvh_from_motion(motion, provenance);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return write_file_atomically(path, *bytes);
+  const std::string name = to_lower(path.filename().string());
+  if (name.ends_with(".bvh")) {
+    const auto text = bvh_from_motion(motion, provenance);
+    if (!text) return fail(text.error().code, path.string() + ": " + text.error().message);
+    return write_file_atomically(path, *text);
+  }
+  if (name.ends_with(".trc"))
+    return write_file_atomically(path, trc_from_motion(path.filename().string(), motion));
+  if (name.ends_with(".pose.json"))
+    return write_file_atomically(path, pose_json_from_motion(motion, path.filename().string()));
+  return fail(ErrorCode::InvalidArgument,
+              path.string() +
+                  ": a motion is written as .bvh, .trc or .pose.json; give the file one of these endings");
 }
 
 }  // namespace posecoach

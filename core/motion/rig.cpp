@@ -35,14 +35,13 @@ struct Limb {
 
 class RoleMapper {
  public:
-  explicit RoleMapper(std::span<const Joint> joints) : joints_(joints), roles_(joints.size()) {
-    std::vector<std::string_view> names;
+  // Without joints there is no tree: names alone count.
+  explicit RoleMapper(std::span<const std::string_view> names, std::span<const Joint> joints = {})
+      : joints_(joints), names_(parse_rig_names(names)), roles_(names.size()) {
     for (const Joint& joint : joints) {
-      names.push_back(joint.name);
       positions_.push_back(joint.offset);
       if (joint.parent != kNoJoint) positions_.back() += positions_[index(joint.parent)];
     }
-    names_ = parse_rig_names(names);
     split_glued_sides();
   }
 
@@ -50,12 +49,15 @@ class RoleMapper {
     using enum HumanoidJoint;
     const Limb left_leg = find_leg(Side::Left), right_leg = find_leg(Side::Right);
     const Limb left_arm = find_arm(Side::Left), right_arm = find_arm(Side::Right);
-    find_trunk(left_leg, right_leg, left_arm, right_arm);
+    if (is_flat())
+      name_trunk();
+    else
+      find_trunk(left_leg, right_leg, left_arm, right_arm);
     assign(left_leg, {LeftHip, LeftKnee, LeftAnkle, LeftToe, LeftToeTip});
     assign(right_leg, {RightHip, RightKnee, RightAnkle, RightToe, RightToeTip});
     assign(left_arm, {LeftClavicle, LeftShoulder, LeftElbow, LeftWrist, {}});
     assign(right_arm, {RightClavicle, RightShoulder, RightElbow, RightWrist, {}});
-    find_tips();
+    if (!is_flat()) find_tips();
     return std::move(roles_);
   }
 
@@ -90,7 +92,9 @@ class RoleMapper {
     return kNoJoint;
   }
   int parent(int joint) const { return joints_[index(joint)].parent; }
+  bool is_flat() const { return joints_.empty(); }
   bool is_above(int ancestor, int joint) const {
+    if (is_flat()) return true;
     for (int up = parent(joint); up != kNoJoint; up = parent(up))
       if (up == ancestor) return true;
     return false;
@@ -132,6 +136,17 @@ class RoleMapper {
     keep_below(arm.second, arm.third);
     keep_below(arm.third, arm.fourth);
     return arm;
+  }
+
+  void name_trunk() {
+    using enum HumanoidJoint;
+    assign(find(Side::Middle, Names{"pelvis", "hips", "midhip", "hip"}), Pelvis);
+    assign(find(Side::Middle, Names{"chest", "thorax", "spine3", "spine2"}), Chest);
+    assign(find(Side::Middle, Names{"spine", "abdomen", "lowerback"}), Spine);
+    assign(find(Side::Middle, Names{"spinemiddle", "spine1"}), SpineMiddle);
+    assign(find(Side::Middle, Names{"neck", "lowerneck"}), Neck);
+    assign(find(Side::Middle, Names{"head"}), Head);
+    assign(find(Side::Middle, kHeadTopNames), HeadTop);
   }
 
   int common_ancestor(int a, int b) const {
@@ -251,7 +266,13 @@ class RoleMapper {
 }  // namespace
 
 std::vector<std::optional<HumanoidJoint>> map_roles(std::span<const Joint> joints) {
-  return RoleMapper(joints).run();
+  std::vector<std::string_view> names;
+  for (const Joint& joint : joints) names.push_back(joint.name);
+  return RoleMapper(names, joints).run();
+}
+
+std::vector<std::optional<HumanoidJoint>> map_roles_by_name(std::span<const std::string_view> names) {
+  return RoleMapper(names).run();
 }
 
 Result<void> check_humanoid(const Skeleton& skeleton) {

@@ -29,6 +29,9 @@ std::vector<RigName> parse_rig_names(std::span<const std::string_view> names);
 // limbs are in order along the tree. Offsets may be in any unit and with any axis up.
 std::vector<std::optional<HumanoidJoint>> map_roles(std::span<const Joint> joints);
 
+// The same from names alone, for points that hang on no tree: joints written as markers, landmarks.
+std::vector<std::optional<HumanoidJoint>> map_roles_by_name(std::span<const std::string_view> names);
+
 // Incomplete unless the skeleton has pelvis, chest or neck, and shoulder, elbow, wrist, hip, knee and ankle
 // of both sides; the message lists what is missing and which joints there are.
 Result<void> check_humanoid(const Skeleton& skeleton);

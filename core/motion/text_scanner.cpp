@@ -19,7 +19,7 @@ constexpr char lower(char c) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string shown = "\"";
   for (const char c : text.substr(0, kLongest)) shown += c >= ' ' && c <= '~' ? c : '?';
@@ -79,6 +79,7 @@ void TextScanner::skip_blanks() {
 
 std::string_view TextScanner::peek() {
   skip_blanks();
+  if (position_ < text_.size()) word_line_ = line_;
   std::size_t end = position_;
   if (end < text_.size() && is_brace(text_[end]))
     ++end;
@@ -102,6 +103,7 @@ bool TextScanner::next_number(double& value) {
   if (error != std::errc{} || !std::isfinite(value)) return false;
   if (end != text_end && !is_blank(*end) && !is_brace(*end)) return false;
   position_ = static_cast<std::size_t>(end - text_.data());
+  word_line_ = line_;
   return true;
 }
 
@@ -112,13 +114,17 @@ std::string_view TextScanner::rest_of_name() {
   return trimmed(rest);
 }
 
+void TextScanner::skip_line() {
+  position_ = std::min(text_.find_first_of("\r\n", position_), text_.size());
+}
+
 bool TextScanner::at_line_end() {
   const std::size_t next = text_.find_first_not_of(" \t\v\f", position_);
   return next == std::string_view::npos || text_[next] == '\n' || text_[next] == '\r';
 }
 
 Error TextScanner::error(const std::string& message, ErrorCode code) const {
-  return Error{code, std::string(file_name_) + ":" + std::to_string(line_) + ": " + message};
+  return Error{code, std::string(file_name_) + ":" + std::to_string(word_line_) + ": " + message};
 }
 
 bool LineReader::next(std::string_view& line) {

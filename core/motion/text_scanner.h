@@ -12,7 +12,7 @@
 namespace posecoach {
 
 // At most 40 printable characters of foreign text in quotation marks, fit for a message of one line.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 // The whole of `text` as a finite number; a leading plus and exponents are fine.
 std::optional<double> parse_number(std::string_view text);
@@ -35,11 +35,13 @@ class TextScanner {
   bool next_number(double& value);
   // What remains of the line after the last word, up to an opening brace, without blanks at its ends.
   std::string_view rest_of_name();
+  // Leaves out what remains of the line.
+  void skip_line();
   // True when only blanks follow on this line.
   bool at_line_end();
 
   // The line of the last word, from 1.
-  std::size_t line() const { return line_; }
+  std::size_t line() const { return word_line_; }
   // "walk.bvh:12: ...", for the line of the last word.
   Error error(const std::string& message, ErrorCode code = ErrorCode::Malformed) const;
   tl::unexpected<Error> failure(const std::string& message, ErrorCode code = ErrorCode::Malformed) const {
@@ -53,7 +55,8 @@ class TextScanner {
   std::string_view file_name_;
   std::string_view text_;
   std::size_t position_ = 0;
-  std::size_t line_ = 1;
+  std::size_t line_ = 1;       // of the position
+  std::size_t word_line_ = 1;  // of the last word
 };
 
 // Walks through a text file line by line; for formats in which an empty cell means something.

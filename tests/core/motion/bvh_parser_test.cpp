@@ -109,7 +109,7 @@ TEST(BvhParser, every_mistake_is_one_line_that_names_file_and_line) {
   expect_malformed(sample_with("1 2 3 0 0 0 0 0 0\n", "1 2 3 0 0 0 0 0\n"), "20",
                    "more or fewer than 9 numbers");
   expect_malformed(sample_with("Frames: 2", "Frames: 1"), "20", "goes on with \"1\" after its 1 frames");
-  expect_malformed(sample_with("Frames: 2", "Frames: 90000000"), "21", "ends too early");
+  expect_malformed(sample_with("Frames: 2", "Frames: 90000000"), "20", "ends too early");
 }
 
 TEST(BvhParser, refuses_a_second_skeleton) {
