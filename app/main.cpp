@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "app/analyze_command.h"
 #include "app/bench_command.h"
 #include "app/body_command.h"
 #include "app/commands.h"
@@ -17,6 +18,7 @@ int run(int argc, char** argv) {
   CLI::App cli("Virtual Pose Coach: your coach's motion in your own body", "posecoach");
   Action action;
   cli.require_subcommand(0, 1);
+  add_analyze_command(cli, action);
   add_pose_command(cli, action);
   add_body_command(cli, action);
   add_retarget_command(cli, action);

@@ -162,6 +162,12 @@ std::string other_pace(double ratio, bool is_film) {
       ratio, is_film ? "a slow swing or a film in slow motion" : "a slow swing");
 }
 
+std::string out_of_reach(double metres) {
+  return fmt::format(
+      "The coach's grip is up to {:.0f} cm out of reach of your arms; there the drawn hands are open.",
+      100 * metres);
+}
+
 std::string hidden_by_view(Viewpoint view) {
   return view == Viewpoint::FaceOn ? "not visible from face-on: film down the line for it"
                                    : "not visible from down the line: film face-on for it";

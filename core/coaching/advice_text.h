@@ -21,7 +21,8 @@ std::string timing(const TimingAdvice& timing, double relative_ratio, bool is_cl
 std::string no_clear_difference();
 // The swing as a whole takes `ratio` times as long as the coach's.
 std::string other_pace(double ratio, bool is_film);
-std::string summary_headline(const Analysis& analysis);
+// The coach's hands are out of reach of the student's arms by as much.
+std::string out_of_reach(double metres);
 
 // "backswing", "downswing", "follow-through", "stroke", from the events that bound it.
 std::string_view phase(std::string_view from, std::string_view to);

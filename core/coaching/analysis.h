@@ -92,6 +92,9 @@ struct Analysis {
   MotionSummary coach, student;
   std::string retarget_method;
   double bone_length_error_max = 0;
+  bool contacts = false;           // whether grip and feet were closed and planted after retargeting
+  double grip_error_p95_m = 0;     // of the wrists' relation on the club, where the arms reach
+  double reach_deficit_max_m = 0;  // how far the arms are too short for the coach's hands, worst frame
   Score score;
   std::vector<std::pair<int, int>> path;  // (student frame, coach frame), both never decreasing
   std::vector<double> path_error_m;       // mean joint error of each path step

@@ -86,7 +86,10 @@ std::string to_json(const Analysis& analysis) {
   json["student"] = json_from(analysis.student);
   json["stroke"] = analysis.stroke;
   json["retarget"] = {{"method", analysis.retarget_method},
-                      {"bone_length_error_max", analysis.bone_length_error_max}};
+                      {"bone_length_error_max", analysis.bone_length_error_max},
+                      {"contacts", analysis.contacts},
+                      {"grip_error_p95_m", analysis.grip_error_p95_m},
+                      {"reach_deficit_max_m", analysis.reach_deficit_max_m}};
   json["score"] = {{"raw", analysis.score.raw},
                    {"mean_joint_error_m", analysis.score.mean_joint_error_m},
                    {"percent", analysis.score.percent},

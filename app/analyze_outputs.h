@@ -1,0 +1,24 @@
+// What `analyze` writes: the JSON contract, the report page and the film with both skeletons drawn over it.
+#pragma once
+
+#include <string>
+
+#include "app/load_motion.h"
+#include "core/base/progress.h"
+#include "core/pipeline/analyze.h"
+
+namespace posecoach {
+
+struct AnalyzeOutputs {
+  std::string json, report, video;  // file names; empty for none; json may be "-"
+};
+
+// Every folder to be written to exists, and nothing is named twice: found before the long work starts.
+// Errors: NotFound, InvalidArgument.
+Result<void> check_outputs(const AnalyzeOutputs& outputs);
+
+// Each file is written whole or not at all; the film and the report come before the JSON.
+Result<void> write_outputs(const AnalyzeOutputs& outputs, const LoadedMotion& student,
+                           const AnalyzedPair& pair, const Progress& progress);
+
+}  // namespace posecoach

@@ -1,0 +1,137 @@
+#include "core/pipeline/analyze.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/coaching/advice_text.h"
+#include "core/coaching/body_axes.h"
+#include "core/coaching/compare.h"
+#include "core/coaching/posture.h"
+
+namespace posecoach {
+namespace {
+
+// A grip that stays open by less is not worth a word.
+constexpr double kReachWorthTelling_m = 0.01;
+constexpr double kAddress_s = 0.2;
+
+Viewpoint viewpoint_of(View view) {
+  switch (view) {
+    case View::FaceOn:
+      return Viewpoint::FaceOn;
+    case View::DownTheLine:
+      return Viewpoint::DownTheLine;
+    case View::Between:
+      break;
+  }
+  return Viewpoint::Between;
+}
+
+// Right where no stroke is seen: compare() says so later, and better.
+Handedness hand_of(const Motion& motion) {
+  const Result<JointTrack> track = JointTrack::from_motion(motion);
+  if (!track) return Handedness::Right;
+  const Result<SwingEvents> events = find_swing_events(*track);
+  return events ? events->hand : Handedness::Right;
+}
+
+// Middle of the ankles over a short time before the stroke, and how low they are.
+Vec3 feet_at_address(const JointTrack& track, double address_s) {
+  Vec3 sum(0);
+  const int first = track.nearest_frame(address_s - kAddress_s), last = track.nearest_frame(address_s);
+  for (int frame = first; frame <= last; ++frame)
+    sum += middle_of(track, frame, HumanoidJoint::LeftAnkle, HumanoidJoint::RightAnkle);
+  return sum / static_cast<double>(last - first + 1);
+}
+
+Motion moved(const Motion& motion, double yaw, const Vec3& from, const Vec3& to) {
+  const std::vector<MediaTime> times(motion.times().begin(), motion.times().end());
+  std::vector<Vec3> positions;
+  positions.reserve(static_cast<std::size_t>(motion.frame_count()) *
+                    static_cast<std::size_t>(motion.joint_count()));
+  for (int frame = 0; frame < motion.frame_count(); ++frame)
+    for (const Vec3& p : motion.positions(frame)) positions.push_back(turned(p - from, yaw) + to);
+  return Motion::from_positions(motion.skeleton(), times, std::move(positions)).value();
+}
+
+Motion placed_on_student(const Motion& coach, const StudentInput& student, const Analysis& analysis) {
+  const JointTrack coach_track = JointTrack::from_motion(coach).value();
+  const JointTrack student_track = JointTrack::from_motion(student.motion).value();
+  const auto& [student_frame, coach_frame] = analysis.path.front();
+  return moved(coach, analysis.coach_yaw, feet_at_address(coach_track, coach_track.time(coach_frame)),
+               feet_at_address(student_track, student_track.time(student_frame)));
+}
+
+void count_in_film_frames(Analysis& analysis, const StudentInput& student) {
+  const auto shift = [&](int& frame) { frame += student.first_frame; };
+  for (auto& [student_frame, coach_frame] : analysis.path) shift(student_frame);
+  for (FramePair& pair : analysis.worst_frames) shift(pair.student_frame);
+  for (SpatialAdvice& advice : analysis.spatial) shift(advice.student_frame);
+  for (Advice& advice : analysis.advice) shift(advice.student_frame);
+  for (SwingEvent& event : analysis.student_events) {
+    shift(event.frame);
+    event.time_s += student.first_time_s;
+  }
+  analysis.student_takeaway_s += student.first_time_s;
+  analysis.student.frames = student.frames;
+  analysis.student.seconds = student.seconds;
+  analysis.student.joints = student.joints;
+}
+
+}  // namespace
+
+StudentInput student_from_motion(std::string source, const Motion& motion) {
+  return {std::move(source),
+          motion,
+          motion.skeleton(),
+          Viewpoint::AllSides,
+          0,
+          0,
+          motion.frame_count(),
+          to_seconds(motion.duration()),
+          motion.joint_count()};
+}
+
+StudentInput student_from_film(std::string source, const PoseTrack& track, const LiftedStudent& lifted) {
+  const MediaTime begin = track.frames.front().time;
+  return {std::move(source),
+          lifted.motion,
+          lifted.body,
+          viewpoint_of(lifted.view),
+          lifted.first_frame,
+          to_seconds(lifted.motion.time(0) - begin),
+          static_cast<int>(track.frames.size()),
+          to_seconds(track.frames.back().time - begin),
+          static_cast<int>(kLandmarkCount)};
+}
+
+Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coach,
+                             const AnalyzeOptions& options) {
+  // Everything up to the drawing happens right-handed, so that a mirrored pair gives the same numbers.
+  const Handedness hand = options.hand.value_or(hand_of(student.motion));
+  const bool is_left = hand == Handedness::Left;
+  const Motion right_coach =
+      hand_of(coach.motion) == Handedness::Left ? mirrored(coach.motion) : coach.motion;
+  const Result<RetargetResult> personal =
+      retarget(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
+  if (!personal) return fail(personal.error().code, coach.source + ": " + personal.error().message);
+  Result<Analysis> analysis = compare(student.motion, personal->motion, {hand, student.view});
+  if (!analysis) return tl::unexpected(analysis.error());
+
+  Motion drawn =
+      placed_on_student(is_left ? mirrored(personal->motion) : personal->motion, student, *analysis);
+  analysis->coach.source = coach.source;
+  analysis->coach.joints = coach.motion.joint_count();
+  analysis->student.source = student.source;
+  analysis->retarget_method = to_string(options.retarget.method);
+  analysis->bone_length_error_max = personal->bone_length_error_max;
+  analysis->contacts = options.retarget.contacts == Contacts::On;
+  analysis->grip_error_p95_m = personal->contacts.grip_error_p95_m;
+  analysis->reach_deficit_max_m = personal->contacts.reach_deficit_max_m;
+  if (analysis->reach_deficit_max_m > kReachWorthTelling_m)
+    analysis->notes.push_back(text::out_of_reach(analysis->reach_deficit_max_m));
+  count_in_film_frames(*analysis, student);
+  return AnalyzedPair{*std::move(analysis), std::move(drawn)};
+}
+
+}  // namespace posecoach
