@@ -19,12 +19,20 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-double weighted_median(std::vector<std::pair<double, double>> values, double total) {
+// Pairs of value and weight; at least one.
+double weighted_quantile(std::vector<std::pair<double, double>> values, double share) {
   std::sort(values.begin(), values.end());
-  double below = 0;
+  double total = 0, below = 0;
+  for (const auto& [value, weight] : values) total += weight;
   for (const auto& [value, weight] : values)
-    if ((below += weight) >= 0.5 * total) return value;
+    if ((below += weight) >= share * total) return value;
   return values.back().first;
+}
+
+double total_weight(std::span<const BoneSighting> sightings) {
+  double total = 0;
+  for (const BoneSighting& sighting : sightings) total += sighting.weight;
+  return total;
 }
 
 double trust(double visibility) {
@@ -46,10 +54,8 @@ std::vector<BoneSighting> sightings_of(int joint, int parent, std::span<const Wo
     const Vec3 bone = positions[index(joint)] - positions[index(parent)];
     const double length = glm::length(bone);
     if (!std::isfinite(length) || length <= 0) continue;
-    const double along_view = bone.z / length;
-    const double in_picture = 1.0 - along_view * along_view;
-    sightings.push_back(
-        {length, trust(confidence[index(joint)]) * trust(confidence[index(parent)]) * (0.05 + in_picture)});
+    sightings.push_back({length, std::hypot(bone.x, bone.y),
+                         trust(confidence[index(joint)]) * trust(confidence[index(parent)])});
   }
   return sightings;
 }
@@ -63,16 +69,21 @@ Result<void> check_height(double height_m) {
 
 std::optional<BoneLength> measure_bone(std::span<const BoneSighting> sightings) {
   std::vector<std::pair<double, double>> lengths;
-  double total = 0;
-  for (const BoneSighting& sighting : sightings) {
-    if (!(sighting.weight > 0)) continue;
-    lengths.emplace_back(sighting.length_m, sighting.weight);
-    total += sighting.weight;
-  }
+  for (const BoneSighting& sighting : sightings)
+    if (sighting.weight > 0) lengths.emplace_back(sighting.length_m, sighting.weight);
   if (lengths.empty()) return std::nullopt;
-  const double length = weighted_median(lengths, total);
+  const double long_side = weighted_quantile(lengths, 0.75);
+  lengths.clear();
+  for (const BoneSighting& sighting : sightings) {
+    // The eighth power: a bone turned 30 degrees out of the picture counts a third, one turned 60 degrees
+    // nothing.
+    const double across = long_side > 0 ? std::min(1.0, sighting.across_m / long_side) : 1.0;
+    const double weight = sighting.weight * (std::pow(across, 8) + 1e-4);
+    if (sighting.weight > 0) lengths.emplace_back(sighting.length_m, weight);
+  }
+  const double length = weighted_quantile(lengths, 0.5);
   for (auto& [value, weight] : lengths) value = std::abs(value - length);
-  return BoneLength{length, 1.48 * weighted_median(std::move(lengths), total)};
+  return BoneLength{length, 1.48 * weighted_quantile(std::move(lengths), 0.5)};
 }
 
 std::optional<BonePair> measure_bone_pair(std::span<const BoneSighting> left,
@@ -81,7 +92,10 @@ std::optional<BonePair> measure_bone_pair(std::span<const BoneSighting> left,
   if (left_alone && right_alone) {
     const double difference = std::abs(left_alone->length_m - right_alone->length_m);
     const double mean = 0.5 * (left_alone->length_m + right_alone->length_m);
-    if (difference > 0.25 * mean && difference > 3 * std::max(left_alone->spread_m, right_alone->spread_m))
+    const double left_weight = total_weight(left), right_weight = total_weight(right);
+    const bool seen_alike = std::min(left_weight, right_weight) > 0.7 * std::max(left_weight, right_weight);
+    if (seen_alike && difference > 0.25 * mean &&
+        difference > 3 * std::max(left_alone->spread_m, right_alone->spread_m))
       return BonePair{left_alone->length_m, right_alone->length_m};
   }
   std::vector<BoneSighting> both(left.begin(), left.end());

@@ -11,9 +11,11 @@
 
 namespace posecoach {
 
-// One look at a bone: how long it seemed, and how far to trust it (0: not at all).
+// One look at a bone: how long it seemed, how long across the view (without its depth), and how far to trust
+// it (0: not at all).
 struct BoneSighting {
   double length_m = 0;
+  double across_m = 0;
   double weight = 0;
 };
 
@@ -22,15 +24,17 @@ struct BoneLength {
   double spread_m = 0;  // robust standard deviation (1.48 x the weighted median deviation)
 };
 
-// The weighted median; nothing when no sighting has a weight.
+// The weighted median over the looks that show the bone's length: a camera makes bones that point at it too
+// short, so looks weigh the more the longer the bone is across the view. Nothing when no sighting has a
+// weight.
 std::optional<BoneLength> measure_bone(std::span<const BoneSighting> sightings);
 
 struct BonePair {
   double left_m = 0, right_m = 0;
 };
-// One length for both sides, from the sightings of both, unless the sides differ by over 15 % and by more
-// than three times what either spreads: people are symmetric, cameras are not. A side without any weight takes the
-// other's. Nothing when neither side was seen.
+// One length for both sides, from the sightings of both, unless both were seen equally well and differ by
+// over 25 % and by more than three times what either spreads: people are symmetric, what a camera sees of
+// them is not. A side without any weight takes the other's. Nothing when neither side was seen.
 std::optional<BonePair> measure_bone_pair(std::span<const BoneSighting> left,
                                           std::span<const BoneSighting> right);
 
@@ -38,8 +42,8 @@ struct MeasuringOptions {
   std::optional<double> height_m;  // stature; otherwise the pose model's metres count
 };
 
-// The webcam body (core/body/landmark_body.h). A sighting weighs the product of its ends' visibilities, less
-// where the bone points along the camera's axis: depth is the camera's weak side. Errors: Incomplete (no
+// The webcam body (core/body/landmark_body.h) from joints in the camera's axes; only differences count, so
+// the origin may be anywhere. A sighting weighs the product of its ends' visibilities. Errors: Incomplete (no
 // frames, a bone never seen, named), InvalidArgument (a height out of 0.5 to 2.6 m).
 Result<Skeleton> measure_landmark_body(std::span<const WorldKeypoints> frames,
                                        const MeasuringOptions& options = {});

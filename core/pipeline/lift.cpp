@@ -18,15 +18,27 @@ constexpr std::size_t kFewestFrames = 3;
 // A golfer shifts his weight within a second or two; the model's sense of size wavers faster than that.
 constexpr double kDepthSmoothing_s = 0.5;
 
-struct Sighting {
-  std::size_t frame = 0;  // of the track
-  SeenPerson person;
+// The frames in which somebody is seen.
+struct Sightings {
+  std::vector<std::size_t> frames;  // of the track
+  std::vector<double> times_s;
+  std::vector<SeenPerson> people;
 };
 
-std::vector<Sighting> sightings_of(const PoseTrack& track) {
-  std::vector<Sighting> sightings;
-  for (std::size_t i = 0; i < track.frames.size(); ++i)
-    if (track.frames[i].person) sightings.push_back({i, *track.frames[i].person});
+Result<Sightings> sightings_of(const PoseTrack& track) {
+  Sightings sightings;
+  for (std::size_t i = 0; i < track.frames.size(); ++i) {
+    if (!track.frames[i].person) continue;
+    sightings.frames.push_back(i);
+    sightings.times_s.push_back(to_seconds(track.frames[i].time));
+    sightings.people.push_back(*track.frames[i].person);
+  }
+  if (sightings.frames.empty())
+    return fail(ErrorCode::NoPerson, track.source + ": nobody is seen in any frame");
+  if (sightings.frames.size() < kFewestFrames)
+    return fail(ErrorCode::Incomplete, track.source + ": a person is seen in only " +
+                                           std::to_string(sightings.frames.size()) +
+                                           " frames; a motion needs at least 3");
   return sightings;
 }
 
@@ -38,28 +50,6 @@ double arms_legs_and_torso(const Skeleton& body) {
         HumanoidJoint::RightKnee, HumanoidJoint::RightAnkle})
     sum += body.bone_length(body.find(role));
   return sum;
-}
-
-struct MeasuredStudent {
-  Skeleton body;
-  double scale = 1;  // from the model's metres to the student's
-};
-
-Result<MeasuredStudent> measure(std::span<const SeenPerson> people, const LiftOptions& options) {
-  std::vector<WorldKeypoints> world;
-  for (const SeenPerson& person : people) world.push_back(person.world);
-  const Result<Skeleton> measured = measure_landmark_body(world);
-  if (!measured) return tl::unexpected(measured.error());
-  if (options.body) {
-    if (!is_landmark_body(*options.body))
-      return fail(ErrorCode::InvalidArgument, "a student seen by a camera needs a body measured by a camera");
-    return MeasuredStudent{*options.body,
-                           arms_legs_and_torso(*options.body) / arms_legs_and_torso(*measured)};
-  }
-  if (!options.height_m) return MeasuredStudent{*measured, 1};
-  Result<Skeleton> scaled = scaled_to_stature(*measured, *options.height_m);
-  if (!scaled) return tl::unexpected(scaled.error());
-  return MeasuredStudent{*std::move(scaled), *options.height_m / stature(*measured)};
 }
 
 // Each frame's depth of the hips, smoothed over time; frames whose fit failed take their neighbours'.
@@ -100,6 +90,94 @@ std::array<Vec3, kLandmarkCount> on_rays(const SeenPerson& person, double depth,
   return points;
 }
 
+// The people of all sightings before one camera that stands still, in the model's metres.
+struct Placed {
+  Intrinsics intrinsics;
+  std::vector<Vec3> positions;     // joints of the webcam body, frame-major, camera axes
+  std::vector<double> confidence;  // likewise
+  double residual_px = 0;
+};
+
+Result<Placed> place_before_camera(const Sightings& sightings, const PoseTrack& track) {
+  Placed placed;
+  placed.intrinsics = {estimate_focal_px(sightings.people, track.width, track.height),
+                       {0.5 * track.width, 0.5 * track.height}};
+  std::vector<std::optional<Vec3>> places;
+  std::vector<SeenPerson> fitted_people;
+  std::vector<Vec3> fitted_places;
+  for (const SeenPerson& person : sightings.people) {
+    places.push_back(fit_translation(person, placed.intrinsics));
+    if (!places.back()) continue;
+    fitted_people.push_back(person);
+    fitted_places.push_back(*places.back());
+  }
+  if (fitted_places.empty())
+    return fail(ErrorCode::NoPerson,
+                track.source + ": the joints that are seen do not make a body before a camera");
+  placed.residual_px = reprojection_error_px(fitted_people, fitted_places, placed.intrinsics);
+  const std::vector<double> depths = smooth_depths(places, sightings.times_s);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const SeenPerson& person = sightings.people[i];
+    const auto joints = landmark_body_positions(on_rays(person, depths[i], placed.intrinsics));
+    placed.positions.insert(placed.positions.end(), joints.begin(), joints.end());
+    std::array<double, kLandmarkCount> visibility{};
+    for (std::size_t k = 0; k < kLandmarkCount; ++k)
+      visibility[k] = std::clamp(person.image[k].visibility, 0.0, 1.0);
+    const auto confidence = landmark_body_confidence(visibility);
+    placed.confidence.insert(placed.confidence.end(), confidence.begin(), confidence.end());
+  }
+  return placed;
+}
+
+struct SizedBody {
+  Skeleton body;
+  double scale = 1;  // from the model's metres to the student's
+};
+
+// Measured where the joints were placed: across the view they are as exact as the 2D joints.
+Result<SizedBody> size_body(const Placed& placed, const Sightings& sightings, const LiftOptions& options) {
+  std::vector<WorldKeypoints> frames(sightings.people.size());
+  for (std::size_t f = 0; f < frames.size(); ++f)
+    for (std::size_t i = 0; i < kLandmarkCount; ++i)
+      frames[f][i] = {placed.positions[f * kJoints + i + kLandmarkBodyDerivedJoints],
+                      sightings.people[f].image[i].visibility};
+  const Result<Skeleton> measured = measure_landmark_body(frames);
+  if (!measured) return tl::unexpected(measured.error());
+  if (options.body) {
+    if (!is_landmark_body(*options.body))
+      return fail(ErrorCode::InvalidArgument, "a student seen by a camera needs a body measured by a camera");
+    return SizedBody{*options.body, arms_legs_and_torso(*options.body) / arms_legs_and_torso(*measured)};
+  }
+  if (!options.height_m) return SizedBody{*measured, 1};
+  Result<Skeleton> scaled = scaled_to_stature(*measured, *options.height_m);
+  if (!scaled) return tl::unexpected(scaled.error());
+  return SizedBody{*std::move(scaled), *options.height_m / stature(*measured)};
+}
+
+// All frames from the first to the last sighting; between sightings, a straight line that claims nothing.
+Result<Motion> motion_in_world(const PoseTrack& track, const Sightings& sightings, const Placed& placed,
+                               const Stance& stance, const Skeleton& body) {
+  std::vector<MediaTime> times;
+  std::vector<Vec3> positions;
+  std::vector<double> confidence;
+  std::size_t left = 0;
+  for (std::size_t frame = sightings.frames.front(); frame <= sightings.frames.back(); ++frame) {
+    while (left + 1 < sightings.frames.size() && sightings.frames[left + 1] <= frame) ++left;
+    const std::size_t right = std::min(left + 1, sightings.frames.size() - 1);
+    const bool seen = sightings.frames[left] == frame;
+    times.push_back(track.frames[frame].time);
+    const double span = sightings.times_s[right] - sightings.times_s[left];
+    const double part = seen || span <= 0 ? 0.0 : (to_seconds(times.back()) - sightings.times_s[left]) / span;
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      const Vec3 place =
+          glm::mix(placed.positions[left * kJoints + j], placed.positions[right * kJoints + j], part);
+      positions.push_back(stance.world_from_camera * (place - stance.origin));
+      confidence.push_back(seen ? placed.confidence[left * kJoints + j] : 0.0);
+    }
+  }
+  return Motion::from_positions(body, std::move(times), std::move(positions), std::move(confidence));
+}
+
 View view_of(const Motion& motion, const PinholeCamera& camera, std::span<const std::size_t> still) {
   const Skeleton& body = motion.skeleton();
   const auto at = [&](int frame, HumanoidJoint role) { return motion.position(frame, body.find(role)); };
@@ -136,91 +214,29 @@ std::string_view to_string(View view) {
 Result<LiftedStudent> lift(const PoseTrack& track, const LiftOptions& options) {
   if (track.width <= 0 || track.height <= 0)
     return fail(ErrorCode::Malformed, track.source + ": the size of the picture is missing");
-  std::vector<Sighting> sightings = sightings_of(track);
-  if (sightings.empty()) return fail(ErrorCode::NoPerson, track.source + ": nobody is seen in any frame");
-  if (sightings.size() < kFewestFrames)
-    return fail(ErrorCode::Incomplete, track.source + ": a person is seen in only " +
-                                           std::to_string(sightings.size()) +
-                                           " frames; a motion needs at least 3");
-  std::vector<SeenPerson> people;
-  std::vector<double> times_s;
-  for (const Sighting& sighting : sightings) {
-    people.push_back(sighting.person);
-    times_s.push_back(to_seconds(track.frames[sighting.frame].time));
-  }
-  const Result<MeasuredStudent> student = measure(people, options);
-  if (!student) return tl::unexpected(student.error());
-  for (SeenPerson& person : people)
-    for (WorldKeypoint& point : person.world) point.position_m *= student->scale;
+  const Result<Sightings> sightings = sightings_of(track);
+  if (!sightings) return tl::unexpected(sightings.error());
+  Result<Placed> placed = place_before_camera(*sightings, track);
+  if (!placed) return tl::unexpected(placed.error());
+  const Result<SizedBody> sized = size_body(*placed, *sightings, options);
+  if (!sized) return fail(sized.error().code, track.source + ": " + sized.error().message);
+  for (Vec3& position : placed->positions) position *= sized->scale;
 
-  const Intrinsics intrinsics{estimate_focal_px(people, track.width, track.height),
-                              {0.5 * track.width, 0.5 * track.height}};
-  std::vector<std::optional<Vec3>> places;
-  std::vector<SeenPerson> placed_people;
-  std::vector<Vec3> known_places;
-  for (const SeenPerson& person : people) {
-    places.push_back(fit_translation(person, intrinsics));
-    if (!places.back()) continue;
-    placed_people.push_back(person);
-    known_places.push_back(*places.back());
-  }
-  if (known_places.empty())
-    return fail(ErrorCode::NoPerson,
-                track.source + ": the person's joints do not make a body before a camera");
-  const std::vector<double> depths = smooth_depths(places, times_s);
-
-  std::vector<Vec3> seen_positions;
-  std::vector<double> seen_confidence;
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    const auto joints = landmark_body_positions(on_rays(people[i], depths[i], intrinsics));
-    seen_positions.insert(seen_positions.end(), joints.begin(), joints.end());
-    std::array<double, kLandmarkCount> visibility{};
-    for (std::size_t k = 0; k < kLandmarkCount; ++k)
-      visibility[k] = std::clamp(people[i].image[k].visibility, 0.0, 1.0);
-    const auto confidence = landmark_body_confidence(visibility);
-    seen_confidence.insert(seen_confidence.end(), confidence.begin(), confidence.end());
-  }
-  const Stance stance = estimate_stance(seen_positions);
-
-  // All frames from the first to the last sighting; between sightings, a straight line that claims nothing.
-  const std::size_t first = sightings.front().frame, last = sightings.back().frame;
-  std::vector<MediaTime> times;
-  std::vector<Vec3> positions;
-  std::vector<double> confidence;
-  std::size_t left = 0;
-  for (std::size_t frame = first; frame <= last; ++frame) {
-    while (left + 1 < sightings.size() && sightings[left + 1].frame <= frame) ++left;
-    const std::size_t right = std::min(left + 1, sightings.size() - 1);
-    const bool seen = sightings[left].frame == frame;
-    times.push_back(track.frames[frame].time);
-    const double span = times_s[right] - times_s[left];
-    const double part = seen || span <= 0 ? 0.0 : (to_seconds(times.back()) - times_s[left]) / span;
-    for (std::size_t j = 0; j < kJoints; ++j) {
-      const Vec3 place =
-          glm::mix(seen_positions[left * kJoints + j], seen_positions[right * kJoints + j], part);
-      positions.push_back(stance.world_from_camera * (place - stance.origin));
-      confidence.push_back(seen ? seen_confidence[left * kJoints + j] : 0.0);
-    }
-  }
-  Result<Motion> motion =
-      Motion::from_positions(student->body, std::move(times), std::move(positions), std::move(confidence));
+  const Stance stance = estimate_stance(placed->positions);
+  Result<Motion> motion = motion_in_world(track, *sightings, *placed, stance, sized->body);
   if (!motion) return fail(motion.error().code, track.source + ": " + motion.error().message);
-
-  PinholeCamera camera{track.width,
-                       track.height,
-                       intrinsics.focal_px,
-                       intrinsics.centre_px,
-                       glm::transpose(stance.world_from_camera),
-                       stance.origin};
+  const PinholeCamera camera{track.width,
+                             track.height,
+                             placed->intrinsics.focal_px,
+                             placed->intrinsics.centre_px,
+                             glm::transpose(stance.world_from_camera),
+                             stance.origin};
+  const std::size_t first = sightings->frames.front();
   std::vector<std::size_t> still;
-  for (const std::size_t i : stance.still_frames) still.push_back(sightings[i].frame - first);
+  for (const std::size_t i : stance.still_frames) still.push_back(sightings->frames[i] - first);
   const View view = view_of(*motion, camera, still);
-  return LiftedStudent{*std::move(motion),
-                       student->body,
-                       camera,
-                       view,
-                       static_cast<int>(first),
-                       reprojection_error_px(placed_people, known_places, intrinsics)};
+  return LiftedStudent{*std::move(motion),      sized->body,        camera, view,
+                       static_cast<int>(first), placed->residual_px};
 }
 
 }  // namespace posecoach
