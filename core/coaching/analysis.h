@@ -38,10 +38,10 @@ struct SwingEvent {
 struct TimingAdvice {
   std::string from, to;  // events
   double coach_s = 0, student_s = 0;
-  double ratio = 1;       // student_s / coach_s
+  double ratio = 1;  // student_s / coach_s
+  std::string advice;
   double plus_minus = 0;  // of the ratio, from frame rates and noise
   double path_ratio = 1;  // student's over coach's time along the path between the same events
-  std::string advice;
 };
 
 struct SpatialAdvice {
@@ -49,10 +49,10 @@ struct SpatialAdvice {
   int student_frame = 0, coach_frame = 0;
   Vec3 offset_m;  // student minus coach, in the coach's facing: +X his left, +Y up, +Z his front
   double distance_m = 0;
+  std::string advice;
   double turn_deg = 0;  // where a turn or a bend differs rather than a place: student minus coach
   double share = 0;     // of the joint error at this event that would be gone without it, 0 to 1
   double severity = 0;  // in units of what counts as a clear difference
-  std::string advice;
 };
 
 struct Metric {
@@ -60,9 +60,9 @@ struct Metric {
   double value = 0, plus_minus = 0;
   std::string unit;  // "", "deg", "cm", "s", "%"
   bool available = false;
-  std::string reason;           // why not available
-  std::optional<double> coach;  // the same of the coach, in the student's body
-  std::string definition;       // one line, with the source of its usual range where there is one
+  std::string reason;                // why not available
+  std::optional<double> coach = {};  // the same of the coach, in the student's body
+  std::string definition = {};       // one line, with the source of its usual range where there is one
 };
 
 enum class AdviceKind { Timing, Spatial, None };
