@@ -18,7 +18,10 @@ constexpr double kRelease_s = 0.25;
 // A heel or toe that takes over a little high or low settles at its height.
 constexpr double kSettling_s = 0.15;
 constexpr double kHipSmoothing_s = 0.15;
-constexpr double kComfortableReach = 0.9995;
+// Knees lock suddenly: a leg is stretched no further than this, or than the coach stretches his; the hips
+// give way.
+constexpr double kComfortableReach = 0.985;
+constexpr double kFullReach = 0.9999;
 
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
@@ -135,14 +138,19 @@ struct Leg {
 };
 
 // The least shift of the hips with which both legs reach their ankles' places, smooth over time.
-std::vector<Vec3> hip_shifts(const PosedMotion& student, const Leg& left, const Leg& right) {
+std::vector<Vec3> hip_shifts(const Motion& coach, const PosedMotion& student, const Leg& left,
+                             const Leg& right) {
+  const Limb coach_left = left_leg(coach.skeleton()), coach_right = right_leg(coach.skeleton());
   std::vector<Vec3> shifts;
   for (int f = 0; f < student.frame_count(); ++f) {
     const auto centre = [&](const Leg& leg) {
       return student.position(f, leg.limb.end) + leg.shifts[index(f)] - student.position(f, leg.limb.root);
     };
-    shifts.push_back(nearest_in_both(Vec3(0), centre(left), kComfortableReach * left.reacher.reach(),
-                                     centre(right), kComfortableReach * right.reacher.reach())
+    const auto reach = [&](const Leg& leg, const Limb& coach_leg) {
+      return leg.reacher.reach() * std::clamp(stretch(coach, f, coach_leg), kComfortableReach, kFullReach);
+    };
+    shifts.push_back(nearest_in_both(Vec3(0), centre(left), reach(left, coach_left), centre(right),
+                                     reach(right, coach_right))
                          .place);
   }
   return smoothed_over_time(shifts, student.times(), kHipSmoothing_s);
@@ -163,7 +171,7 @@ void plant_feet(const Motion& coach, PosedMotion& student) {
                  FootPlanter(student, t_pose, true, floor).shifts(contacts.left)};
   const Leg right{right_leg(body), LimbReacher(student, right_leg(body)),
                   FootPlanter(student, t_pose, false, floor).shifts(contacts.right)};
-  const std::vector<Vec3> hips = hip_shifts(student, left, right);
+  const std::vector<Vec3> hips = hip_shifts(coach, student, left, right);
   for (int f = 0; f < student.frame_count(); ++f) {
     const Vec3 left_ankle = student.position(f, left.limb.end) + left.shifts[index(f)];
     const Vec3 right_ankle = student.position(f, right.limb.end) + right.shifts[index(f)];

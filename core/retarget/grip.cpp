@@ -17,8 +17,11 @@ using enum HumanoidJoint;
 constexpr double kHeld_m = 0.20, kLoose_m = 0.30;
 constexpr double kLongEnough_s = 0.5;
 constexpr double kFlank_s = 0.15;
-// An arm is not stretched to the last millimetre: elbows lock suddenly.
-constexpr double kComfortableReach = 0.998;
+// Elbows lock suddenly: an arm is stretched no further than this, or than the coach stretches his, unless it
+// must.
+constexpr double kComfortableReach = 0.985;
+constexpr double kFullReach = 0.9999;
+constexpr double kYieldSmoothing_s = 0.04;
 constexpr double kMostCollarTurn = radians_from_degrees(12);
 
 std::size_t index(int i) {
@@ -58,14 +61,39 @@ Arm arm_of(const PosedMotion& student, const Limb& limb, HumanoidJoint collar) {
   return {limb, LimbReacher(student, limb), student.skeleton().find(collar)};
 }
 
-// Where the middle between the wrists may be, so that both arms reach.
+struct Reach {
+  double left_m = 0, right_m = 0;
+};
+
+Vec3 wrists_middle(const PosedMotion& student, int frame, const Arm& left, const Arm& right) {
+  return 0.5 * (student.position(frame, left.limb.end) + student.position(frame, right.limb.end));
+}
+
+// Where the middle between the wrists may be nearest to `wanted`, so that both arms reach.
 NearestInBoth grip_centre(const PosedMotion& student, int frame, const Arm& left, const Arm& right,
-                          const Vec3& relation, double reach) {
-  const Vec3 wanted =
-      0.5 * (student.position(frame, left.limb.end) + student.position(frame, right.limb.end));
-  return nearest_in_both(
-      wanted, student.position(frame, left.limb.root) - 0.5 * relation, reach * left.reacher.reach(),
-      student.position(frame, right.limb.root) + 0.5 * relation, reach * right.reacher.reach());
+                          const Vec3& relation, const Vec3& wanted, const Reach& reach) {
+  return nearest_in_both(wanted, student.position(frame, left.limb.root) - 0.5 * relation, reach.left_m,
+                         student.position(frame, right.limb.root) + 0.5 * relation, reach.right_m);
+}
+
+// How far the wrists' middle gives way in each frame so that no arm locks; smooth over time.
+std::vector<Vec3> grip_shifts(const Motion& coach, const PosedMotion& student, const Arm& left,
+                              const Arm& right, std::span<const double> weights) {
+  const Limb coach_left = left_arm(coach.skeleton()), coach_right = right_arm(coach.skeleton());
+  std::vector<Vec3> shifts(index(student.frame_count()), Vec3(0));
+  for (int f = 0; f < student.frame_count(); ++f) {
+    if (weights[index(f)] <= 0) continue;
+    const auto comfortable = [&](const Arm& arm, const Limb& coach_arm) {
+      return arm.reacher.reach() * std::clamp(stretch(coach, f, coach_arm), kComfortableReach, kFullReach);
+    };
+    const Vec3 wanted = wrists_middle(student, f, left, right);
+    shifts[index(f)] =
+        grip_centre(student, f, left, right, wrist_relation(coach.skeleton(), coach.positions(f)), wanted,
+                    {comfortable(left, coach_left), comfortable(right, coach_right)})
+            .place -
+        wanted;
+  }
+  return smoothed_over_time(shifts, student.times(), kYieldSmoothing_s);
 }
 
 // Swings the collar bone so that the shoulder comes nearer to `target` by at most `by`.
@@ -118,16 +146,19 @@ void close_grip(const Motion& coach, PosedMotion& student, ContactReport& report
   const Skeleton& body = student.skeleton();
   const Arm left = arm_of(student, left_arm(body), LeftClavicle);
   const Arm right = arm_of(student, right_arm(body), RightClavicle);
+  const std::vector<Vec3> shifts = grip_shifts(coach, student, left, right, weights);
+  const Reach full{kFullReach * left.reacher.reach(), kFullReach * right.reacher.reach()};
   std::vector<double> errors;
   for (int f = 0; f < student.frame_count(); ++f) {
     const double weight = weights[index(f)];
     if (weight <= 0) continue;
     const Vec3 relation = wrist_relation(coach.skeleton(), coach.positions(f));
-    NearestInBoth centre = grip_centre(student, f, left, right, relation, kComfortableReach);
+    const Vec3 wanted = wrists_middle(student, f, left, right) + shifts[index(f)];
+    NearestInBoth centre = grip_centre(student, f, left, right, relation, wanted, full);
     if (centre.gap > 0) {
       bring_shoulder(student, f, left, centre.place + 0.5 * relation, 0.5 * centre.gap);
       bring_shoulder(student, f, right, centre.place - 0.5 * relation, 0.5 * centre.gap);
-      centre = grip_centre(student, f, left, right, relation, 1.0);
+      centre = grip_centre(student, f, left, right, relation, wanted, full);
     }
     const Vec3 left_target =
         glm::mix(student.position(f, left.limb.end), centre.place + 0.5 * relation, weight);

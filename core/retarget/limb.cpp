@@ -56,6 +56,13 @@ Limb right_leg(const Skeleton& s) {
   return {s.find(RightHip), s.find(RightKnee), s.find(RightAnkle), pelvis_joint(s), {0, 0, 1}};
 }
 
+double stretch(const Motion& motion, int frame, const Limb& limb) {
+  const Vec3 root = motion.position(frame, limb.root), middle = motion.position(frame, limb.middle),
+             end = motion.position(frame, limb.end);
+  const double full = glm::distance(root, middle) + glm::distance(middle, end);
+  return full > 1e-9 ? glm::distance(root, end) / full : 0.0;
+}
+
 LimbReacher::LimbReacher(const PosedMotion& motion, const Limb& limb) : limb_(limb) {
   const TPose t_pose = make_t_pose(motion.skeleton());
   upper_ = glm::distance(motion.position(0, limb.root), motion.position(0, limb.middle));

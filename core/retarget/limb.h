@@ -19,6 +19,9 @@ Limb right_arm(const Skeleton& skeleton);
 Limb left_leg(const Skeleton& skeleton);
 Limb right_leg(const Skeleton& skeleton);
 
+// The distance from root to end over the limb's full length, in a frame: 1 is straight.
+double stretch(const Motion& motion, int frame, const Limb& limb);
+
 class LimbReacher {
  public:
   // Looks at the motion's bends once, before anything is changed.
