@@ -42,7 +42,10 @@ ComparedMotions make_compared_motions(int frames, double late_s) {
   analysis.student = {"/films/my swing.mp4", frames, kSeconds, 25, Handedness::Right};
   analysis.coach = {"bundled:swing", frames, kSeconds, 25, {}};
   analysis.retarget_method = "rotation";
-  analysis.score = {12.5, 0.064, 81.4};
+  analysis.score.raw = 12.5;
+  analysis.score.mean_joint_error_m = 0.064;
+  analysis.score.percent = 81.4;
+  analysis.stroke = "full swing";
   for (int i = 0; i < frames; ++i) {
     analysis.path.emplace_back(i, i);
     analysis.path_error_m.push_back(0.05 + 0.001 * (i % 7));
@@ -56,13 +59,34 @@ ComparedMotions make_compared_motions(int frames, double late_s) {
   }
   analysis.worst_frames = {{frame(0.5), frame(0.5), 0.06}, {frame(0.8), frame(0.8), 0.055}};
   analysis.joint_errors = {{"left_wrist", 0.12, 0.2}, {"right_wrist", 0.1, 0.18}, {"head", 0.01, 0.02}};
-  analysis.timing = {{"top", "impact", 0.30, 0.20, 0.67, "Take more time on the way down."}};
-  analysis.spatial = {
-      {"left_elbow", "top", frame(0.35), frame(0.35), {0.1, 0, 0}, 0.1, "Raise the left elbow."}};
-  analysis.metrics = {{"tempo_ratio", 3.0, 0.5, "", true, ""},
-                      {"pelvis_sway", 0, 0, "cm", false, "not visible from down the line"}};
-  analysis.advice = {{AdviceKind::Spatial, "Raise the left elbow at the top.", frame(0.35), frame(0.35)},
-                     {AdviceKind::Timing, "Start down more slowly.", frame(0.6), frame(0.6)}};
+  TimingAdvice timing;
+  timing.from = "top";
+  timing.to = "impact";
+  timing.coach_s = 0.30;
+  timing.student_s = 0.20;
+  timing.ratio = 0.67;
+  timing.advice = "Take more time on the way down.";
+  analysis.timing = {timing};
+  SpatialAdvice spatial;
+  spatial.joint = "left_elbow";
+  spatial.event = "top";
+  spatial.student_frame = spatial.coach_frame = frame(0.35);
+  spatial.distance_m = 0.1;
+  spatial.advice = "Raise the left elbow.";
+  analysis.spatial = {spatial};
+  Metric tempo, sway;
+  tempo.name = "tempo_ratio";
+  tempo.value = 3.0;
+  tempo.plus_minus = 0.5;
+  tempo.available = true;
+  tempo.coach = 2.9;
+  tempo.definition = "Time up over time down.";
+  sway.name = "pelvis_sway";
+  sway.unit = "cm";
+  sway.reason = "not visible from down the line";
+  analysis.metrics = {tempo, sway};
+  analysis.advice = {{AdviceKind::Spatial, "Raise the left elbow at the top.", frame(0.35), frame(0.35), 2},
+                     {AdviceKind::Timing, "Start down more slowly.", frame(0.6), frame(0.6), 1}};
   analysis.notes = {"30 frames per second: events are known to 17 ms."};
   return made;
 }

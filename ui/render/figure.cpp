@@ -203,8 +203,9 @@ class Builder {
       const double crown = std::min(0.080 * scale, 0.45 * height);
       add(*head + up * 0.22, *top - up * (crown / height), 0.80 * crown, crown, style_.bone);
     } else if (const Vec3 up = head_up(*head); glm::length(up) > 1e-6) {
-      const double crown = 0.080 * scale;
-      add(*head - 0.05 * scale * up, *head + 0.02 * scale * up, 0.80 * crown, crown, style_.bone);
+      // The ears, between which this rig's head joint lies, are below the middle of the skull.
+      const double crown = 0.082 * scale;
+      add(*head - 0.035 * scale * up, *head + 0.05 * scale * up, 0.80 * crown, crown, style_.bone);
     } else {
       add(*head, *head, 0.085 * scale, 0.085 * scale, style_.bone);
     }

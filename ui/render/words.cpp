@@ -42,6 +42,13 @@ std::string phase_title(const std::vector<SwingEvent>& events, double frame, dou
   return "Backswing";
 }
 
+std::string student_phase(const Analysis& analysis, double frame) {
+  constexpr double kNear_s = 0.07;
+  const double seconds = analysis.student.seconds;
+  const double near = seconds > 0 ? std::max(0.5, kNear_s * analysis.student.frames / seconds) : 2;
+  return phase_title(analysis.student_events, frame, near);
+}
+
 std::string decimal(double value, int digits) {
   if (!std::isfinite(value)) return "–";
   std::array<char, 64> text{};
@@ -54,6 +61,8 @@ std::string decimal(double value, int digits) {
 }
 
 std::string short_source(std::string_view source) {
+  constexpr std::string_view kBundled = "bundled:";
+  if (source.starts_with(kBundled)) return "the bundled " + std::string(source.substr(kBundled.size()));
   while (source.size() > 1 && source.back() == '/') source.remove_suffix(1);
   const std::size_t slash = source.rfind('/');
   return std::string(

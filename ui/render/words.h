@@ -16,10 +16,13 @@ std::string title_from_name(std::string_view name);
 // between two events ("Backswing"); empty when there are no events.
 std::string phase_title(const std::vector<SwingEvent>& events, double frame, double near);
 
+// The same for a frame of the student of an analysis, an event counting for 0.07 s on either side.
+std::string student_phase(const Analysis& analysis, double frame);
+
 // With `digits` after the point, whatever the locale.
 std::string decimal(double value, int digits);
 
-// The last part of a path, and "bundled:swing" as it is.
+// The last part of a path; "bundled:swing" -> "the bundled swing".
 std::string short_source(std::string_view source);
 
 }  // namespace posecoach

@@ -12,8 +12,9 @@ struct Comparison {
   const Analysis& analysis;  // with a path; its student frames are frames of the film or motion as given
   const Motion& student;     // frame k is frame first_frame + k of the film
   int first_frame = 0;
-  const Motion& coach;   // in the student's body; its frames are the analysis' coach frames
-  double coach_yaw = 0;  // turn about +Y, radians, that makes the coach face as the student does
+  // In the student's body, mirrored where coach and student are of different hands; its frames are the
+  // analysis' coach frames.
+  const Motion& coach;
   Palette palette = Palette::RedGreen;
 };
 

@@ -14,6 +14,7 @@
 #include "ui/render/scene_renderer.h"
 #include "ui/report/comparison.h"
 #include "ui/report/report_picture.h"
+#include "ui/report/stills.h"
 
 namespace posecoach {
 
@@ -25,13 +26,14 @@ class OverlayFilm {
 
   // A frame of the film, in its own size.
   Image draw(const Frame& frame);
-  // The same moment without score and timeline, cut out around both bodies, with the joint ringed that is
-  // farthest from the coach's.
-  ReportPicture draw_still(const Frame& frame, const FramePair& pair);
+  // The same moment without score and timeline, cut out around both bodies, with the joint ringed that it is
+  // about.
+  ReportPicture draw_still(const Frame& frame, const StillMoment& still);
 
  private:
   struct Bodies;
-  std::optional<Bodies> bodies_at(int motion_frame) const;
+  // The coach in the pose of one of its frames, or as it follows the path evenly.
+  std::optional<Bodies> bodies_at(int motion_frame, std::optional<int> coach_frame) const;
   OverlayMoment moment_at(const Frame& frame, const std::optional<Bodies>& bodies) const;
 
   Comparison comparison_;
@@ -45,15 +47,12 @@ class OverlayFilm {
 using NextFrame = std::function<Result<std::optional<Frame>>()>;
 using FrameSink = std::function<Result<void>(const Image& image, const Frame& frame)>;
 
-// Reads the film to its end, gives every drawn frame to `sink` (which may be empty: then only the stills are
-// drawn and the film is read no further than they need), and returns the stills of the analysis' worst
-// frames, in its order. Errors: those of `next` and `sink`; Cancelled.
+// Reads the film to its end and gives every drawn frame to `sink`, which may be empty: then only the stills
+// are drawn and the film is read no further than they need. Returns the analysis' stills in the order of
+// time. Errors: those of `next` and `sink`; Cancelled.
 Result<std::vector<ReportPicture>> draw_overlay_film(const Comparison& comparison,
                                                      const PinholeCamera& camera, SceneRenderer& renderer,
                                                      const NextFrame& next, const FrameSink& sink,
                                                      const Progress& progress = {});
-
-// Stills where there is no film: both bodies on a floor, seen from the student's front.
-std::vector<ReportPicture> draw_motion_stills(const Comparison& comparison, SceneRenderer& renderer);
 
 }  // namespace posecoach

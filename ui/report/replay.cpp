@@ -106,7 +106,7 @@ Replay make_replay(const Comparison& comparison, int most_steps) {
     errors.push_back(i < comparison.analysis.path_error_m.size() ? comparison.analysis.path_error_m[i] : 0);
   }
   if (path.empty()) return replay;
-  const CoachPlacement placement = stand_on_feet(student, coach, path, comparison.coach_yaw);
+  const CoachPlacement placement = stand_on_feet(student, coach, path, comparison.analysis.coach_yaw);
   const double yaw = turn_to_front(student, path.front().first);
   Vec3 origin(0);
   for (const HumanoidJoint role : {LeftAnkle, RightAnkle})
@@ -131,7 +131,18 @@ Replay make_replay(const Comparison& comparison, int most_steps) {
     step.coach = picked(coach.skeleton(), stood, replay, yaw, origin);
     replay.steps.push_back(std::move(step));
   }
+  const double his_time = replay.steps.back().student_s - replay.steps.front().student_s;
+  const double coachs_time = replay.steps.back().coach_s - replay.steps.front().coach_s;
+  if (his_time > 0 && coachs_time > 0) replay.overall_speed = coachs_time / his_time;
   return replay;
+}
+
+bool Replay::is_in_proportion() const {
+  return overall_speed > 1.25 || overall_speed < 0.8;
+}
+
+double Replay::speed_in_proportion(const ReplayStep& step) const {
+  return is_in_proportion() ? step.speed / overall_speed : step.speed;
 }
 
 int step_at_student_frame(const Replay& replay, int student_frame) {

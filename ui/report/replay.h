@@ -22,6 +22,12 @@ struct Replay {
   std::vector<HumanoidJoint> joints;       // those that both bodies have
   std::vector<std::pair<int, int>> bones;  // indices into `joints`
   std::vector<ReplayStep> steps;           // in time
+  double overall_speed = 1;                // the coach's time for the whole over the student's
+
+  // The step's speed; in proportion to the whole where that is clearly slower or faster than the coach's, as
+  // in a slow rehearsal or a film in slow motion.
+  double speed_in_proportion(const ReplayStep& step) const;
+  bool is_in_proportion() const;
 };
 
 // Takes every pair of the path, or `most_steps` of them spread evenly.

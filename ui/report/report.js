@@ -72,10 +72,14 @@
     const [studentFrame, coachFrame, studentTime, coachTime, apart, speed, x, coachX, phase] = replay.steps[step];
     scrub.value = step;
     find("phase").textContent = phase;
-    find("student-time").textContent = studentTime.toFixed(2) + " s, frame " + studentFrame;
-    find("coach-time").textContent = coachTime.toFixed(2) + " s, frame " + coachFrame;
-    find("apart").textContent = apart.toFixed(1) + " cm a joint";
-    find("speed").textContent = "× " + speed.toFixed(2);
+    const tell = (id, value, detail) => {
+      find(id).textContent = value;
+      if (detail) find(id).appendChild(document.createElement("span")).textContent = detail;
+    };
+    tell("student-time", studentTime.toFixed(2) + " s", "frame " + studentFrame);
+    tell("coach-time", coachTime.toFixed(2) + " s", "frame " + coachFrame);
+    tell("apart", apart.toFixed(1) + " cm", "a joint in the mean");
+    tell("speed", "× " + speed.toFixed(2), "of the coach’s");
     const [link, line, his, coachs] = now.children;
     const set = (element, values) => {
       for (const name in values) element.setAttribute(name, values[name]);

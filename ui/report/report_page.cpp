@@ -32,7 +32,6 @@ std::string positions_array(const Replay& replay, const std::vector<Vec3> Replay
 // What the page's script draws from. The names are read by ui/report/report.js.
 std::string replay_script(const Analysis& analysis, const Replay& replay) {
   const report::TimelineAxis axis = report::timeline_axis(replay);
-  const double fps = analysis.student.seconds > 0 ? analysis.student.frames / analysis.student.seconds : 30;
   std::string steps, bones;
   for (const ReplayStep& step : replay.steps) {
     steps += steps.empty() ? "[" : ",[";
@@ -40,9 +39,7 @@ std::string replay_script(const Analysis& analysis, const Replay& replay) {
              decimal(step.student_s, 3) + "," + decimal(step.coach_s, 3) + "," +
              decimal(100 * step.apart_m, 1) + "," + decimal(step.speed, 2) + "," +
              decimal(axis.student_x(step.student_s), 1) + "," + decimal(axis.coach_x(step.coach_s), 1) + "," +
-             html::script_string(
-                 phase_title(analysis.student_events, step.student_frame, std::max(0.5, 0.05 * fps))) +
-             "]";
+             html::script_string(student_phase(analysis, step.student_frame)) + "]";
   }
   for (const auto& [a, b] : replay.bones)
     bones += (bones.empty() ? "[" : ",[") + std::to_string(a) + "," + std::to_string(b) + "]";
@@ -55,6 +52,12 @@ std::string replay_script(const Analysis& analysis, const Replay& replay) {
          ",coach:" + positions_array(replay, &ReplayStep::coach) +
          ",axis:{student:" + decimal(axis.student_y, 1) + ",coach:" + decimal(axis.coach_y, 1) + "}};\n" +
          std::string(report_js()) + "</script>\n";
+}
+
+std::string proportion_note(const Replay& replay) {
+  if (!replay.is_in_proportion()) return {};
+  return "<br>The colours compare in proportion: your whole motion takes " +
+         decimal(1 / replay.overall_speed, 1) + " times as long as the coach’s.";
 }
 
 std::string replay_section(const Analysis& analysis, const Replay& replay) {
@@ -76,8 +79,8 @@ std::string replay_section(const Analysis& analysis, const Replay& replay) {
          "\" value=\"0\" aria-label=\"Moment\"><div class=\"scroll\">" +
          report::timeline_figure(analysis, replay) +
          "</div><p class=\"key\"><span class=\"swatch slower\"></span>you are slower than the coach<span "
-         "class=\"swatch "
-         "same\"></span>the same<span class=\"swatch faster\"></span>faster</p></section>\n";
+         "class=\"swatch same\"></span>the same<span class=\"swatch faster\"></span>faster" +
+         proportion_note(replay) + "</p></section>\n";
 }
 
 }  // namespace
@@ -94,12 +97,14 @@ std::string make_report_page(const Comparison& comparison, std::span<const Repor
       std::string(report_css()) + "</style></head>\n<body" +
       (comparison.palette == Palette::ColourBlindSafe ? " class=\"colour-blind\"" : "") +
       "><main>\n<header><p class=\"brand\">Virtual Pose Coach</p><h1>" +
-      html::escape(short_source(analysis.student.source)) + "</h1><p class=\"quiet\">compared with " +
+      html::escape(short_source(analysis.student.source)) + "</h1><p class=\"quiet\">" +
+      html::escape(analysis.stroke.empty() ? "Compared with "
+                                           : title_from_name(analysis.stroke) + ", compared with ") +
       html::escape(short_source(analysis.coach.source)) + "</p></header>\n";
   page += report::summary_section(analysis, replay);
   page += report::pictures_section(analysis, pictures, replay, comparison.palette);
   page += replay_section(analysis, replay);
-  page += report::timing_section(analysis);
+  page += report::timing_section(analysis, replay);
   page += report::spatial_section(analysis, replay);
   page += report::joints_section(analysis);
   page += report::metrics_section(analysis);

@@ -55,16 +55,30 @@ std::string_view kind_word(AdviceKind kind) {
   return "";
 }
 
-std::string value_text(const Metric& metric) {
-  const double size = std::max(std::abs(metric.value), 1e-9);
-  const int digits = size >= 100 ? 0 : size >= 10 ? 1 : 2;
-  const std::string unit = metric.unit == "deg"  ? "°"
-                           : metric.unit.empty() ? ""
-                                                 : "&nbsp;" + escape(metric.unit);
-  std::string text = "<b>" + decimal(metric.value, digits) + "</b>";
-  if (metric.plus_minus > 0)
-    text += " <span class=\"pm\">±&nbsp;" + decimal(metric.plus_minus, digits) + "</span>";
-  return text + unit;
+std::string in_unit(double value, int digits, std::string_view unit) {
+  std::string number = decimal(value, digits);
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number + (unit == "deg" ? "°" : unit.empty() ? "" : "&nbsp;" + escape(unit));
+}
+
+// "spine_forward_deg" in degrees is "spine_forward".
+std::string_view without_unit(std::string_view name, std::string_view unit) {
+  const std::string ending = "_" + std::string(unit == "%" ? "percent" : unit);
+  if (!unit.empty() && name.size() > ending.size() && name.ends_with(ending))
+    name.remove_suffix(ending.size());
+  return name;
+}
+
+// A table's cell that carries its column's name, for screens too narrow for columns.
+std::string cell(std::string_view label, const std::string& content) {
+  return "<td data-label=\"" + std::string(label) + "\">" + content + "</td>";
+}
+
+// With as many digits as the uncertainty leaves sense in.
+int digits_for(const Metric& metric) {
+  const double finest =
+      metric.plus_minus > 0 ? metric.plus_minus : std::max(std::abs(metric.value), 1e-9) / 50;
+  return finest >= 3 ? 0 : finest >= 0.2 ? 1 : 2;
 }
 
 }  // namespace
@@ -89,9 +103,11 @@ std::string summary_section(const Analysis& analysis, const Replay& replay) {
         "<div class=\"then\"><p class=\"eyebrow\">After that</p><ol start=\"2\">" + others + "</ol></div>";
   const Score& score = analysis.score;
   return "<section id=\"summary\"><div class=\"score\">" + score_ring(score.percent) +
-         "<div><p class=\"eyebrow\">Overall match</p><p><b>" + centimetres(score.mean_joint_error_m) +
-         "</b> mean distance a joint</p><p class=\"quiet\">Raw score " + decimal(score.raw, 2) +
-         ", lower is better</p></div></div><div class=\"main\">" + main + "</div>" + others + "</section>\n";
+         "<div><p class=\"eyebrow\">Overall match" +
+         (score.plus_minus >= 0.5 ? " ±&nbsp;" + decimal(score.plus_minus, 0) : "") + "</p><p><b>" +
+         centimetres(score.mean_joint_error_m) + "</b> apart a joint</p><p class=\"quiet\">Raw score " +
+         decimal(score.raw, 2) + ", lower is better</p></div></div><div class=\"main\">" + main + "</div>" +
+         others + "</section>\n";
 }
 
 std::string pictures_section(const Analysis& analysis, std::span<const ReportPicture> pictures,
@@ -100,8 +116,8 @@ std::string pictures_section(const Analysis& analysis, std::span<const ReportPic
   for (const ReportPicture& picture : pictures) {
     if (picture.image.empty()) continue;
     double apart = -1;
-    for (const FramePair& pair : analysis.worst_frames)
-      if (pair.student_frame == picture.student_frame) apart = pair.mean_error_m;
+    for (std::size_t i = 0; i < std::min(analysis.path.size(), analysis.path_error_m.size()); ++i)
+      if (analysis.path[i].first == picture.student_frame) apart = std::max(apart, analysis.path_error_m[i]);
     body += "<figure><img alt=\"" + escape(picture.caption) + "\" width=\"" +
             std::to_string(picture.image.width) + "\" height=\"" + std::to_string(picture.image.height) +
             "\" src=\"" + html::jpeg_uri(picture.image) + "\"><figcaption><b>" + escape(picture.caption) +
@@ -112,7 +128,7 @@ std::string pictures_section(const Analysis& analysis, std::span<const ReportPic
             "</figcaption></figure>";
   }
   if (!body.empty()) body = "<div class=\"pictures\">" + body + "</div>";
-  return section("pictures", "Where you differ most", body,
+  return section("pictures", "See the difference", body,
                  palette == Palette::RedGreen
                      ? "You in <span class=\"student\">green</span>, the coach in your body in <span "
                        "class=\"coach\">red</span>."
@@ -125,6 +141,7 @@ std::string joints_section(const Analysis& analysis) {
   for (const JointError& error : analysis.joint_errors) largest = std::max(largest, error.max_m);
   std::string rows;
   for (const JointError& error : analysis.joint_errors) {
+    if (error.max_m <= 0) continue;  // where the bodies are pinned together there is nothing to tell
     const auto share = [&](double metres) {
       return decimal(100 * std::clamp(metres / largest, 0.0, 1.0), 1);
     };
@@ -138,19 +155,23 @@ std::string joints_section(const Analysis& analysis) {
                  "Mean distance from the coach over the whole motion; the pale part reaches to the largest.");
 }
 
-std::string timing_section(const Analysis& analysis) {
+std::string timing_section(const Analysis& analysis, const Replay& replay) {
   std::string rows;
   for (const TimingAdvice& timing : analysis.timing) {
-    const double ratio = timing.ratio;
-    const bool known = std::isfinite(ratio) && ratio > 0;
-    const std::string_view tone = !known || std::abs(ratio - 1) < 0.1 ? "same"
-                                  : ratio < 1                         ? "faster"
-                                                                      : "slower";
+    const bool known = std::isfinite(timing.ratio) && timing.ratio > 0;
+    const double compared = replay.is_in_proportion() ? timing.ratio * replay.overall_speed : timing.ratio;
+    const std::string_view tone = !known || std::abs(compared - 1) < 0.1 ? "same"
+                                  : compared < 1                         ? "faster"
+                                                                         : "slower";
+    std::string ratio = "<span class=\"tone " + std::string(tone) + "\">";
+    ratio += known ? "×&nbsp;" + decimal(timing.ratio, 2) + "</span>" : "–</span>";
+    if (known && timing.plus_minus > 0)
+      ratio += " <span class=\"pm\">±&nbsp;" + decimal(timing.plus_minus, 2) + "</span>";
     rows += "<tr><th scope=\"row\">" + escape(title_from_name(timing.from)) + " → " +
-            escape(title_from_name(timing.to)) + "</th><td>" + decimal(timing.student_s, 2) +
-            "&nbsp;s</td><td>" + decimal(timing.coach_s, 2) + "&nbsp;s</td><td><span class=\"tone " +
-            std::string(tone) + "\">" + (known ? "×&nbsp;" + decimal(ratio, 2) : "–") +
-            "</span></td><td class=\"wide\">" + escape(timing.advice) + "</td></tr>";
+            escape(title_from_name(timing.to)) + "</th>" +
+            cell("You", decimal(timing.student_s, 2) + "&nbsp;s") +
+            cell("Coach", decimal(timing.coach_s, 2) + "&nbsp;s") + cell("Ratio", ratio) +
+            "<td class=\"wide\">" + escape(timing.advice) + "</td></tr>";
   }
   if (!rows.empty())
     rows =
@@ -163,10 +184,10 @@ std::string timing_section(const Analysis& analysis) {
 std::string spatial_section(const Analysis& analysis, const Replay& replay) {
   std::string rows;
   for (const SpatialAdvice& spatial : analysis.spatial)
-    rows += "<tr><th scope=\"row\">" + escape(title_from_name(spatial.joint)) + "</th><td>" +
-            escape(title_from_name(spatial.event)) + "</td><td>" + centimetres(spatial.distance_m) +
-            "</td><td class=\"wide\">" + escape(spatial.advice) + " " +
-            moment_button(replay, spatial.student_frame) + "</td></tr>";
+    rows += "<tr><th scope=\"row\">" + escape(title_from_name(spatial.joint)) + "</th>" +
+            cell("At", escape(title_from_name(spatial.event))) +
+            cell("Off by", centimetres(spatial.distance_m)) + "<td class=\"wide\">" + escape(spatial.advice) +
+            " " + moment_button(replay, spatial.student_frame) + "</td></tr>";
   if (!rows.empty())
     rows =
         "<div class=\"scroll\"><table><thead><tr><th>Joint</th><th>At</th><th>Off by</th><th "
@@ -179,16 +200,33 @@ std::string metrics_section(const Analysis& analysis) {
   std::string rows;
   for (const Metric& metric : analysis.metrics) {
     const bool available = metric.available && std::isfinite(metric.value);
+    const int digits = digits_for(metric);
+    std::string definition = escape(metric.definition);
+    if (!definition.empty()) definition = "<small>" + definition + "</small>";
     rows += std::string("<tr") + (available ? "" : " class=\"off\"") + "><th scope=\"row\">" +
-            escape(title_from_name(metric.name)) + "</th><td>" +
-            (available ? value_text(metric) : "–</td><td class=\"wide\">" + escape(metric.reason)) +
-            (available ? "</td><td class=\"wide\">" : "") + "</td></tr>";
+            escape(title_from_name(without_unit(metric.name, metric.unit))) + definition + "</th>";
+    if (!available) {
+      rows += "<td colspan=\"2\">– <span class=\"reason\">" + escape(metric.reason) + "</span></td></tr>";
+      continue;
+    }
+    rows += "<td data-label=\"You\"><b>" + in_unit(metric.value, digits, metric.unit) + "</b>";
+    if (metric.plus_minus > 0)
+      rows += " <span class=\"pm\">±&nbsp;" + decimal(metric.plus_minus, digits) + "</span>";
+    rows += "</td>";
+    if (metric.coach && std::isfinite(*metric.coach))
+      rows += cell("Coach", in_unit(*metric.coach, digits, metric.unit));
+    else
+      rows += "<td></td>";
+    rows += "</tr>";
   }
   if (!rows.empty())
-    rows = "<div class=\"scroll\"><table class=\"metrics\"><tbody>" + rows + "</tbody></table></div>";
-  return section(
-      "metrics", "Measurements", rows,
-      "With the uncertainty of one camera. What this view cannot show is left out, with the reason.");
+    rows =
+        "<div class=\"scroll\"><table class=\"metrics\"><thead><tr><th>Measurement</th><th>You</th><th>Coach "
+        "in your "
+        "body</th></tr></thead><tbody>" +
+        rows + "</tbody></table></div>";
+  return section("metrics", "Measurements", rows,
+                 "With the uncertainty of the recording. What it cannot show is left out, with the reason.");
 }
 
 std::string method_section(const Analysis& analysis) {

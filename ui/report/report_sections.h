@@ -15,7 +15,7 @@ std::string summary_section(const Analysis& analysis, const Replay& replay);
 std::string pictures_section(const Analysis& analysis, std::span<const ReportPicture> pictures,
                              const Replay& replay, Palette palette);
 std::string joints_section(const Analysis& analysis);
-std::string timing_section(const Analysis& analysis);
+std::string timing_section(const Analysis& analysis, const Replay& replay);
 std::string spatial_section(const Analysis& analysis, const Replay& replay);
 std::string metrics_section(const Analysis& analysis);
 std::string method_section(const Analysis& analysis);

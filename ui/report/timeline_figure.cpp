@@ -106,7 +106,7 @@ std::string distance_area(const Replay& replay, const TimelineAxis& axis, double
     path += "L" + n(axis.student_x(step.student_s)) + " " + n(top + height * (1 - step.apart_m / largest));
   path += "L" + n(axis.student_x(replay.steps.back().student_s)) + " " + n(top + height) + "Z";
   return text(axis.left - 10, top + 0.5 * height + 4, "Apart", "row") + "<path class=\"area\" d=\"" + path +
-         "\"/>" + text(axis.right, top + 10, decimal(100 * largest, 0) + " cm", "scale");
+         "\"/>" + text(axis.right, top - 5, "up to " + decimal(100 * largest, 0) + " cm", "scale");
 }
 
 // Colour by the student's speed against the coach's; equal within a tenth stays grey.
@@ -114,7 +114,7 @@ std::string speed_ribbon(const Replay& replay, const TimelineAxis& axis, double 
   std::string cells;
   std::size_t begin = 0;
   const auto tone = [&](std::size_t i) {
-    const double speed = replay.steps[i].speed;
+    const double speed = replay.speed_in_proportion(replay.steps[i]);
     return speed > 1.5 ? 2 : speed > 1.1 ? 1 : speed < 1 / 1.5 ? -2 : speed < 1 / 1.1 ? -1 : 0;
   };
   const auto look = [](int t) {
@@ -162,7 +162,7 @@ std::string timeline_figure(const Analysis& analysis, const Replay& replay) {
   const TimelineAxis axis = timeline_axis(replay);
   const double scale = 0.94 * kFigureHeight / tallest(replay);
   const double coach_floor = axis.coach_y + kLeader + kFigureHeight;
-  const double chart_top = coach_floor + 26, chart_height = 44, ribbon_top = chart_top + chart_height + 12;
+  const double chart_top = coach_floor + 34, chart_height = 44, ribbon_top = chart_top + chart_height + 12;
   const double height = ribbon_top + 22;
 
   std::string svg = "<svg id=\"timeline\" viewBox=\"0 0 1000 " + n(height) +

@@ -139,7 +139,7 @@ TEST(Words, numbers_have_a_point_and_no_minus_before_zero) {
 TEST(Words, sources_are_short) {
   EXPECT_EQ(short_source("/home/anna/Videos/swing.mp4"), "swing.mp4");
   EXPECT_EQ(short_source("pictures/"), "pictures");
-  EXPECT_EQ(short_source("bundled:swing"), "bundled:swing");
+  EXPECT_EQ(short_source("bundled:swing"), "the bundled swing");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "tests/support/compared_motions.h"
 #include "tests/support/offscreen.h"
+#include "ui/report/motion_stills.h"
 
 namespace posecoach {
 namespace {
@@ -40,9 +41,12 @@ TEST(OverlayFilm, every_frame_goes_through_in_order_and_size) {
   ASSERT_TRUE(stills);
   ASSERT_EQ(seen.size(), 26U);
   for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], i);
-  ASSERT_EQ(stills->size(), 2U);
-  EXPECT_EQ((*stills)[0].student_frame, motions.analysis.worst_frames[0].student_frame);
-  EXPECT_NE((*stills)[0].caption.find("cm away"), std::string::npos);
+  const std::vector<StillMoment> moments = still_moments(motions.analysis);
+  ASSERT_EQ(stills->size(), moments.size());
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    EXPECT_EQ((*stills)[i].student_frame, moments[i].student_frame);
+    EXPECT_NE((*stills)[i].caption.find("cm away"), std::string::npos);
+  }
 }
 
 // The skeleton's green where the student's pelvis is, and none where the motion has no frame.
@@ -91,7 +95,7 @@ TEST(OverlayFilm, without_a_sink_the_film_is_read_no_further_than_the_stills_nee
   const auto stills = draw_overlay_film({motions.analysis, motions.student, 0, motions.coach}, film_camera(),
                                         test_renderer(), counted, {});
   ASSERT_TRUE(stills);
-  EXPECT_EQ(stills->size(), 2U);
+  EXPECT_GE(stills->size(), 2U);
   EXPECT_LE(read, 20);
 }
 
@@ -117,11 +121,41 @@ TEST(OverlayFilm, errors_of_film_and_sink_and_the_users_stop_come_back) {
   EXPECT_EQ(done.error().code, ErrorCode::Cancelled);
 }
 
+TEST(StillMoments, advice_comes_with_its_joint_and_moments_are_apart) {
+  ComparedMotions motions = make_compared_motions(200);
+  for (int i = 0; i < 20; ++i) motions.analysis.worst_frames.push_back({150 + i, 150 + i, 0.1});
+  const std::vector<StillMoment> moments = still_moments(motions.analysis);
+  EXPECT_LE(moments.size(), 5U);
+  bool has_elbow = false;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    if (moments[i].joint == HumanoidJoint::LeftElbow) has_elbow = true;
+    if (i > 0) {
+      EXPECT_GE(moments[i].student_frame - moments[i - 1].student_frame, 11);
+    }
+  }
+  EXPECT_TRUE(has_elbow);
+  EXPECT_TRUE(still_moments(Analysis{}).empty());
+}
+
+TEST(Crop, lies_within_the_picture_and_around_the_points) {
+  for (const auto& [width, height] : {std::pair(354, 492), std::pair(1280, 720), std::pair(50, 2000)}) {
+    const std::vector<Vec2> points = {
+        {0.3 * width, 0.2 * height}, {0.45 * width, 0.7 * height}, {-20, 0.5 * height}};
+    const PixelCrop crop = crop_around(points, width, height);
+    EXPECT_GE(crop.left, 0);
+    EXPECT_GE(crop.top, 0);
+    EXPECT_GT(crop.width, 0);
+    EXPECT_LE(crop.left + crop.width, width);
+    EXPECT_LE(crop.top + crop.height, height);
+  }
+  EXPECT_EQ(crop_around({}, 30, 20).width, 30);
+}
+
 TEST(MotionStills, one_picture_for_each_worst_moment_with_both_bodies_in_it) {
   const ComparedMotions motions = make_compared_motions();
   const auto stills =
       draw_motion_stills({motions.analysis, motions.student, 0, motions.coach}, test_renderer());
-  ASSERT_EQ(stills.size(), 2U);
+  ASSERT_GE(stills.size(), 2U);
   for (const ReportPicture& still : stills) {
     int green = 0, red = 0;
     for (int y = 0; y < still.image.height; ++y)

@@ -70,7 +70,7 @@ TEST(ReportPage, empty_analysis_makes_a_page) {
 
 TEST(ReportPage, no_difference_found_has_no_moment_to_show) {
   ComparedMotions motions = make_compared_motions();
-  motions.analysis.advice = {{AdviceKind::None, "No clear difference from the coach was found.", 0, 0}};
+  motions.analysis.advice = {{AdviceKind::None, "No clear difference from the coach was found.", 0, 0, 0}};
   motions.analysis.spatial.clear();
   const std::string page = page_of(motions);
   EXPECT_THAT(page, HasSubstr("No clear difference"));
@@ -87,8 +87,10 @@ TEST(ReportPage, very_long_motion_keeps_the_page_small) {
 
 TEST(ReportPage, numbers_out_of_hand_are_no_harm) {
   ComparedMotions motions = make_compared_motions();
-  motions.analysis.metrics = {{"tempo_ratio", std::numeric_limits<double>::infinity(), 0, "", true, ""},
-                              {"turn", 1e12, 1e9, "deg", true, ""}};
+  motions.analysis.metrics[0].value = std::numeric_limits<double>::infinity();
+  motions.analysis.metrics[0].coach = std::numeric_limits<double>::quiet_NaN();
+  motions.analysis.metrics[1].available = true;
+  motions.analysis.metrics[1].value = 1e12;
   motions.analysis.timing[0].ratio = std::numeric_limits<double>::quiet_NaN();
   motions.analysis.score.percent = 0;
   motions.analysis.path.emplace_back(999, 999);  // beyond both motions
