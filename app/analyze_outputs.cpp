@@ -13,6 +13,7 @@
 #include "core/coaching/body_axes.h"
 #include "core/coaching/posture.h"
 #include "ui/render/egl_context.h"
+#include "ui/report/motion_stills.h"
 #include "ui/report/overlay_film.h"
 #include "ui/report/report_page.h"
 
@@ -128,9 +129,7 @@ Result<void> check_outputs(const AnalyzeOutputs& outputs) {
 
 Result<void> write_outputs(const AnalyzeOutputs& outputs, const LoadedMotion& student,
                            const AnalyzedPair& pair, const Progress& progress) {
-  // The coach is already turned and placed.
-  const Comparison comparison{pair.analysis,    student.motion, student.first_frame, pair.coach, 0,
-                              Palette::RedGreen};
+  const Comparison comparison{pair.analysis, student.motion, student.first_frame, pair.coach};
   if (!outputs.report.empty() || !outputs.video.empty()) {
     const Result<std::vector<ReportPicture>> pictures = draw(outputs, student, comparison, progress);
     if (!pictures) return tl::unexpected(pictures.error());

@@ -21,11 +21,6 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-Vec3 turned(const Vec3& v, double yaw) {
-  const double c = std::cos(yaw), s = std::sin(yaw);
-  return {c * v.x + s * v.z, v.y, -s * v.x + c * v.z};
-}
-
 struct Feet {
   Vec2 middle;        // x, z
   double height = 0;  // of the lowest joint
@@ -95,7 +90,7 @@ std::vector<Vec3> CoachPlacement::positions(const Motion& coach, int student_fra
 std::vector<Vec3> CoachPlacement::positions(const Motion& coach, double at_coach_frame,
                                             int student_frame) const {
   std::vector<Vec3> positions = interpolated(coach, at_coach_frame);
-  for (Vec3& p : positions) p = turned(p, yaw) + offset[index(student_frame)];
+  for (Vec3& p : positions) p += offset[index(student_frame)];
   return positions;
 }
 
@@ -129,9 +124,8 @@ std::vector<double> follow_path(const std::vector<std::pair<int, int>>& path, in
 }
 
 CoachPlacement stand_on_feet(const Motion& student, const Motion& coach,
-                             const std::vector<std::pair<int, int>>& path, double yaw) {
+                             const std::vector<std::pair<int, int>>& path) {
   CoachPlacement placement;
-  placement.yaw = yaw;
   placement.coach_frame = follow_path(path, student.frame_count());
   placement.offset.assign(index(student.frame_count()), Vec3(0));
 

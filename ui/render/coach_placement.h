@@ -1,5 +1,6 @@
 // Where the personalised coach stands in the student's film: at every frame of the student the coach's pose
-// that answers it, facing as the alignment says, on the student's feet, without jitter.
+// that answers it, on the student's feet,
+// without jitter.
 #pragma once
 
 #include <utility>
@@ -10,9 +11,8 @@
 namespace posecoach {
 
 struct CoachPlacement {
-  double yaw = 0;                   // turn of the coach about +Y, radians
   std::vector<double> coach_frame;  // one a student frame; fractional
-  std::vector<Vec3> offset;         // one a student frame; added after the turn, metres
+  std::vector<Vec3> offset;         // one a student frame, metres
 
   // The coach's joints in the student's world at a frame of the student's motion.
   std::vector<Vec3> positions(const Motion& coach, int student_frame) const;
@@ -26,9 +26,9 @@ struct CoachPlacement {
 std::vector<double> follow_path(const std::vector<std::pair<int, int>>& path, int student_frames);
 
 // `path` counts the frames of the two motions; pairs beyond the student's motion are left out. `coach` is in
-// the student's own body. The offset is one for the whole swing, and follows smoothly only where the student
-// walks away from it.
+// the student's body and faces as he does. The offset is one for the whole swing, and follows smoothly only
+// where the student walks away from it.
 CoachPlacement stand_on_feet(const Motion& student, const Motion& coach,
-                             const std::vector<std::pair<int, int>>& path, double yaw);
+                             const std::vector<std::pair<int, int>>& path);
 
 }  // namespace posecoach

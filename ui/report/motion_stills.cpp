@@ -55,7 +55,7 @@ std::vector<ReportPicture> draw_motion_stills(const Comparison& comparison, Scen
   if (moments.empty()) return pictures;
   std::vector<std::pair<int, int>> path = analysis.path;
   for (auto& [his, coachs] : path) his -= comparison.first_frame;
-  const CoachPlacement placement = stand_on_feet(student, comparison.coach, path, analysis.coach_yaw);
+  const CoachPlacement placement = stand_on_feet(student, comparison.coach, path);
   const auto clamped = [&](int frame) { return std::clamp(frame, 0, student.frame_count() - 1); };
   // At the first frame of the swing he stands square to the ball.
   const Vec3 front = front_of(student, clamped(path.front().first));

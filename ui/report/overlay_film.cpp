@@ -49,7 +49,7 @@ OverlayFilm::OverlayFilm(const Comparison& comparison, const PinholeCamera& came
   POSECOACH_ASSERT(!comparison.analysis.path.empty());
   std::vector<std::pair<int, int>> path = comparison.analysis.path;
   for (auto& [student, coach] : path) student -= comparison.first_frame;
-  placement_ = stand_on_feet(comparison.student, comparison.coach, path, comparison.analysis.coach_yaw);
+  placement_ = stand_on_feet(comparison.student, comparison.coach, path);
   const auto& errors = comparison.analysis.path_error_m;
   std::vector<std::pair<double, int>> sums(index(comparison.first_frame + comparison.student.frame_count()));
   for (std::size_t i = 0; i < std::min(errors.size(), comparison.analysis.path.size()); ++i) {

@@ -106,7 +106,7 @@ Replay make_replay(const Comparison& comparison, int most_steps) {
     errors.push_back(i < comparison.analysis.path_error_m.size() ? comparison.analysis.path_error_m[i] : 0);
   }
   if (path.empty()) return replay;
-  const CoachPlacement placement = stand_on_feet(student, coach, path, comparison.analysis.coach_yaw);
+  const CoachPlacement placement = stand_on_feet(student, coach, path);
   const double yaw = turn_to_front(student, path.front().first);
   Vec3 origin(0);
   for (const HumanoidJoint role : {LeftAnkle, RightAnkle})
