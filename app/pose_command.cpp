@@ -15,10 +15,10 @@ namespace {
 
 Result<void> write_poses(const std::string& input, const std::string& output,
                          const PoseTrackerOptions& options) {
-  auto tracker = PoseTracker::make(options);
-  if (!tracker) return tl::unexpected(tracker.error());
   auto source = open_source(input);
   if (!source) return tl::unexpected(source.error());
+  auto tracker = PoseTracker::make(options);
+  if (!tracker) return tl::unexpected(tracker.error());
   const FrameSourceInfo& info = (*source)->info();
   auto file = PoseTrackWriter::create(output, info.name, info.width, info.height);
   if (!file) return tl::unexpected(file.error());

@@ -7,6 +7,7 @@ extern "C" {
 }
 
 #include <cstring>
+#include <fstream>
 
 #include "capture/ffmpeg.h"
 
@@ -52,13 +53,23 @@ bool is_text(AVCodecID codec) {
          codec == AV_CODEC_ID_IDF;
 }
 
+bool begins_like_mp4(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  char head[8] = {};
+  file.read(head, sizeof head);
+  return file && std::string_view(head + 4, 4) == "ftyp";
+}
+
 Result<Format> open_format(const fs::path& path) {
   const auto no_film = [&](int error) {
-    const std::string why = error == AVERROR(EACCES) || error == AVERROR(EPERM)
-                                ? "cannot be opened: " + ffmpeg_reason(error)
-                                : "is not a film that can be read (" + ffmpeg_reason(error) + ")";
-    return fail(error == AVERROR(EACCES) ? ErrorCode::Unreadable : ErrorCode::Malformed,
-                path.string() + " " + why);
+    if (error == AVERROR(EACCES))
+      return fail(ErrorCode::Unreadable, path.string() + " cannot be opened: " + ffmpeg_reason(error));
+    if (error == AVERROR_INVALIDDATA && begins_like_mp4(path))
+      return fail(ErrorCode::Malformed, path.string() +
+                                            " is a film without its index: it was cut off while it was "
+                                            "recorded or copied, and cannot be played");
+    return fail(ErrorCode::Malformed,
+                path.string() + " is not a film that can be read (" + ffmpeg_reason(error) + ")");
   };
   AVDictionary* options = nullptr;
   // A file that names other places must not make us go there.
@@ -109,6 +120,9 @@ Result<Codec> open_codec(const fs::path& path, const AVStream& stream) {
   codec->pkt_timebase = stream.time_base;
   codec->max_pixels = kMostPixels;
   codec->thread_count = 2;
+  // Frames decoded side by side need memory for each, too much for very large ones.
+  const bool is_large = std::int64_t{parameters.width} * parameters.height > std::int64_t{2560} * 1440;
+  codec->thread_type = is_large ? FF_THREAD_SLICE : FF_THREAD_SLICE | FF_THREAD_FRAME;
   if (const int opened = avcodec_open2(codec.get(), decoder, nullptr); opened < 0)
     return fail(ErrorCode::Unsupported, path.string() + " cannot be decoded: " + ffmpeg_reason(opened));
   return codec;

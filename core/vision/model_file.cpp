@@ -28,6 +28,13 @@ std::vector<fs::path> model_folders() {
   return folders;
 }
 
+// Apart, so that the file's bytes are gone before the network is built.
+Result<NetworkGraph> read_graph(const fs::path& file) {
+  const auto bytes = read_file(file, kMostModelBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return read_tflite(*bytes, file.string());
+}
+
 }  // namespace
 
 const char* landmark_file_name(PoseModel model) {
@@ -56,13 +63,11 @@ Result<fs::path> find_model_file(const std::string& file_name, const std::option
 
 Result<Network> load_network(const fs::path& file, const std::vector<int>& input_shape,
                              const std::vector<TensorClaim>& outputs) {
-  const auto bytes = read_file(file, kMostModelBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const auto graph = read_tflite(*bytes, file.string());
+  auto graph = read_graph(file);
   if (!graph) return tl::unexpected(graph.error());
   std::vector<std::string> names;
   for (const TensorClaim& output : outputs) names.push_back(output.name);
-  const auto simple = simplified_graph(*graph, names);
+  auto simple = simplified_graph(std::move(*graph), names);
   const auto other_network = [&] {
     return fail(
         ErrorCode::Unsupported,
@@ -71,7 +76,7 @@ Result<Network> load_network(const fs::path& file, const std::vector<int>& input
   if (!simple || simple->at(simple->inputs[0]).shape != input_shape) return other_network();
   for (std::size_t i = 0; i < outputs.size(); ++i)
     if (simple->at(simple->outputs[i]).shape != outputs[i].shape) return other_network();
-  auto network = Network::make(*simple);
+  auto network = Network::make(std::move(*simple));
   if (!network) return fail(network.error().code, file.string() + ": " + network.error().message);
   return network;
 }

@@ -48,7 +48,7 @@ dnnl::primitive_attr make_attributes(const Layer& layer) {
 
 class Network::Implementation {
  public:
-  explicit Implementation(const NetworkGraph& graph)
+  explicit Implementation(NetworkGraph& graph)
       : shapes_(graph.tensors.size()), plan_(plan_buffers(graph)), engine_(dnnl::engine::kind::cpu, 0) {
     const OneThread one_thread;
     stream_ = dnnl::stream(engine_);
@@ -56,7 +56,15 @@ class Network::Implementation {
     for (const std::size_t elements : plan_.buffer_elements)
       buffers_.emplace_back(memory::desc({static_cast<memory::dim>(elements)}, kFloat, memory::format_tag::a),
                             engine_);
-    for (const Layer& layer : graph.layers) add(graph, layer);
+    std::vector<int> filter_uses(graph.tensors.size(), 0);
+    for (const Layer& layer : graph.layers)
+      if (layer.filter != kNoTensor) ++filter_uses[static_cast<std::size_t>(layer.filter)];
+    for (const Layer& layer : graph.layers) {
+      add(graph, layer);
+      if (layer.filter == kNoTensor) continue;
+      const auto filter = static_cast<std::size_t>(layer.filter);
+      if (--filter_uses[filter] == 0) graph.tensors[filter].values = {};
+    }
     input_ = values(graph.inputs[0]);
     std::fill(input_.begin(), input_.end(), 0.0F);
     for (const int output : graph.outputs) outputs_.push_back(values(output));
@@ -240,7 +248,7 @@ Network::Network(Network&&) noexcept = default;
 Network& Network::operator=(Network&&) noexcept = default;
 Network::~Network() = default;
 
-Result<Network> Network::make(const NetworkGraph& graph) {
+Result<Network> Network::make(NetworkGraph graph) {
   if (const auto good = check_graph(graph); !good) return tl::unexpected(good.error());
   POSECOACH_ASSERT(graph.inputs.size() == 1);
   try {

@@ -11,9 +11,9 @@ namespace posecoach {
 
 class Network {
  public:
-  // The graph must have one input; its outputs are what can be read. Errors: those of check_graph, Internal
-  // when the library cannot build it.
-  static Result<Network> make(const NetworkGraph& graph);
+  // The graph must have one input; its outputs are what can be read. Its weights are freed one by one as they
+  // are taken over. Errors: those of check_graph, Internal when the library cannot build it.
+  static Result<Network> make(NetworkGraph graph);
 
   Network(Network&&) noexcept;
   Network& operator=(Network&&) noexcept;

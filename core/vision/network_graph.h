@@ -81,7 +81,7 @@ Result<void> check_graph(const NetworkGraph& graph);
 // The same results for the named outputs (in that order) with less work: layers that nobody needs are gone,
 // spatial paddings are part of the convolutions behind them, residual sums part of the convolutions before
 // them. `graph` must have passed check_graph. Error: NotFound for an output that is not there.
-Result<NetworkGraph> simplified_graph(const NetworkGraph& graph, const std::vector<std::string>& outputs);
+Result<NetworkGraph> simplified_graph(NetworkGraph graph, const std::vector<std::string>& outputs);
 
 // How often each tensor is read, as a layer's input, addend, or the graph's output.
 std::vector<int> count_uses(const NetworkGraph& graph);

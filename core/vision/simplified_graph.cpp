@@ -88,20 +88,20 @@ void fold_sums_into_convolutions(NetworkGraph& graph) {
 
 }  // namespace
 
-Result<NetworkGraph> simplified_graph(const NetworkGraph& graph, const std::vector<std::string>& outputs) {
-  NetworkGraph simple = graph;
-  simple.outputs.clear();
+Result<NetworkGraph> simplified_graph(NetworkGraph graph, const std::vector<std::string>& outputs) {
+  std::vector<int> chosen;
   for (const std::string& name : outputs) {
     const auto found = std::find_if(graph.outputs.begin(), graph.outputs.end(),
                                     [&](int output) { return graph.at(output).name == name; });
     if (found == graph.outputs.end())
       return fail(ErrorCode::NotFound, "the network has no output named " + name);
-    simple.outputs.push_back(*found);
+    chosen.push_back(*found);
   }
-  drop_layers_that_nobody_needs(simple);
-  fold_paddings_into_convolutions(simple);
-  fold_sums_into_convolutions(simple);
-  return simple;
+  graph.outputs = std::move(chosen);
+  drop_layers_that_nobody_needs(graph);
+  fold_paddings_into_convolutions(graph);
+  fold_sums_into_convolutions(graph);
+  return graph;
 }
 
 }  // namespace posecoach
