@@ -4,6 +4,7 @@ extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 #include <libavutil/dict.h>
+#include <libavutil/parseutils.h>
 }
 
 #include <cstring>
@@ -153,6 +154,20 @@ std::optional<Duration> start_of(const AVFormatContext& format) {
   return start;
 }
 
+// How long the pictures go on, as the container claims. A sound track may be longer than they are, so the
+// whole file's length only counts where there is none.
+std::optional<Duration> claimed_length(const AVFormatContext& format, const AVStream& pictures) {
+  if (pictures.duration > 0)
+    return Duration(av_rescale_q(pictures.duration, pictures.time_base, kNanoseconds));
+  // Matroska notes it in words: "00:00:08.808808000".
+  const AVDictionaryEntry* words = av_dict_get(pictures.metadata, "DURATION", nullptr, 0);
+  std::int64_t microseconds = 0;
+  if (words != nullptr && av_parse_time(&microseconds, words->value, 1) >= 0 && microseconds > 0)
+    return std::chrono::microseconds(microseconds);
+  if (format.nb_streams > 1 || format.duration <= 0) return std::nullopt;
+  return std::chrono::microseconds(format.duration);
+}
+
 }  // namespace
 
 class FilmDecoder::Implementation {
@@ -163,7 +178,8 @@ class FilmDecoder::Implementation {
         stream_(stream),
         frame_(av_frame_alloc()),
         packet_(av_packet_alloc()),
-        start_(start_of(*format_)) {
+        start_(start_of(*format_)),
+        claimed_length_(claimed_length(*format_, stream)) {
     facts_.orientation = orientation_of(stream);
     const AVRational rate = av_guess_frame_rate(format_.get(), format_->streams[stream.index], nullptr);
     facts_.nominal_fps = rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0;
@@ -179,8 +195,7 @@ class FilmDecoder::Implementation {
         return DecodedPicture{frame_.get(), next_time()};
       }
       if (received == AVERROR_EOF) {
-        // Edit lists may hide a few pictures of a healthy film.
-        damaged_ |= facts_.frame_count && decoded_ + decoded_ / 10 + 2 < *facts_.frame_count;
+        damaged_ |= ends_early();
         return std::nullopt;
       }
       if (received != AVERROR(EAGAIN)) damaged_ = true;
@@ -192,6 +207,12 @@ class FilmDecoder::Implementation {
   bool is_damaged() const { return damaged_; }
 
  private:
+  // Edit lists may hide a few pictures of a healthy film, and claimed lengths are rounded.
+  bool ends_early() const {
+    if (facts_.frame_count) return decoded_ + decoded_ / 10 + 2 < *facts_.frame_count;
+    return claimed_length_ && last_ && 0.9 * to_seconds(*claimed_length_) - 0.25 > to_seconds(*last_);
+  }
+
   void feed() {
     while (!at_end_) {
       const int read = av_read_frame(format_.get(), packet_.get());
@@ -233,6 +254,7 @@ class FilmDecoder::Implementation {
   std::unique_ptr<AVPacket, FreePacket> packet_;
   FilmFacts facts_;
   std::optional<Duration> start_;
+  std::optional<Duration> claimed_length_;
   std::optional<MediaTime> last_;
   std::size_t decoded_ = 0;
   bool at_end_ = false;
