@@ -44,7 +44,7 @@ struct Layer {
   int output = kNoTensor;
   int filter = kNoTensor;  // convolutions
   int bias = kNoTensor;
-  Padding padding;
+  Padding padding = {};
   int stride_x = 1;
   int stride_y = 1;
   int window_width = 1;  // pooling

@@ -117,7 +117,8 @@ class Reader {
         integers_.push_back(data);
       } else {
         integers_.emplace_back();
-        if (!data.empty()) {
+        // Sparse weights may all be zero, and then none is stored.
+        if (!data.empty() || stored.table(6)) {
           weights += std::min(tensor.element_count(), kMostWeights + 1);
           if (weights > kMostWeights) return unsupported("has too many weights");
           auto values = tflite_floats(stored, data, tensor.shape, tensor.element_count());
