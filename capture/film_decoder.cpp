@@ -210,7 +210,10 @@ class FilmDecoder::Implementation {
   // Edit lists may hide a few pictures of a healthy film, and claimed lengths are rounded.
   bool ends_early() const {
     if (facts_.frame_count) return decoded_ + decoded_ / 10 + 2 < *facts_.frame_count;
-    return claimed_length_ && last_ && 0.9 * to_seconds(*claimed_length_) - 0.25 > to_seconds(*last_);
+    if (!claimed_length_ || !last_) return false;
+    // Some containers count the length from zero, not from a later start.
+    const double end_s = to_seconds(*last_) + std::max(0.0, start_ ? to_seconds(*start_) : 0.0);
+    return 0.9 * to_seconds(*claimed_length_) - 0.25 > end_s;
   }
 
   void feed() {
