@@ -13,6 +13,8 @@ namespace {
 using enum HumanoidJoint;
 
 constexpr Colour kSkin = {0.87F, 0.65F, 0.53F};
+constexpr Colour kEar = {0.72F, 0.48F, 0.40F};
+constexpr Colour kBrow = {0.52F, 0.36F, 0.27F};
 constexpr Colour kLips = {0.70F, 0.34F, 0.33F};
 constexpr Colour kHair = {0.23F, 0.15F, 0.10F};
 constexpr Colour kEyeWhite = {0.96F, 0.95F, 0.94F};
@@ -131,22 +133,23 @@ ConeScene GolferFigure::scene(const Posed& posed) const {
 
   // Head: skull, jaw, hair, face. Offsets from the middle of the skull, in metres for a stature of 1.80 m.
   const auto face = [&](double x, double y, double z) { return body.head.at(x * s, y * s, z * s); };
-  cone(face(0, 0.022, -0.012), 0.082, face(0, 0.012, 0.016), 0.076, kSkin);
-  cone(face(0, -0.020, 0.026), 0.064, face(0, -0.082, 0.046), 0.036, kSkin);
-  cone(face(-0.020, -0.075, 0.040), 0.034, face(0.020, -0.075, 0.040), 0.034, kSkin);
-  cone(face(0, 0.034, -0.022), 0.086, face(0, 0.000, -0.034), 0.078, kHair);
-  cone(face(0, 0.040, -0.018), 0.084, face(0, 0.056, 0.016), 0.070, kHair);
-  cone(face(-0.034, 0.066, 0.034), 0.036, face(0.034, 0.066, 0.034), 0.036, kHair);
-  cone(face(-0.022, 0.084, 0.010), 0.030, face(0.022, 0.084, 0.010), 0.030, kHair);
+  cone(face(0, 0.022, -0.010), 0.082, face(0, 0.010, 0.018), 0.077, kSkin);
+  cone(face(0, -0.020, 0.026), 0.066, face(0, -0.084, 0.046), 0.036, kSkin);
+  cone(face(-0.022, -0.074, 0.040), 0.034, face(0.022, -0.074, 0.040), 0.034, kSkin);
+  cone(face(0, 0.036, -0.026), 0.086, face(0, -0.010, -0.038), 0.076, kHair);
+  cone(face(-0.022, 0.066, -0.006), 0.060, face(0.022, 0.066, -0.006), 0.060, kHair);
+  cone(face(0, 0.078, -0.010), 0.056, face(0, 0.080, 0.020), 0.032, kHair);
+  cone(face(-0.034, 0.076, 0.028), 0.026, face(0.034, 0.076, 0.028), 0.026, kHair);
   for (const double side : {1.0, -1.0}) {
-    ball(face(side * 0.032, 0.004, 0.079), 0.0130, kEyeWhite);
-    ball(face(side * 0.032, 0.004, 0.0865), 0.0070, kPupil);
-    cone(face(side * 0.016, 0.027, 0.088), 0.0042, face(side * 0.046, 0.028, 0.078), 0.0038, kHair);
-    cone(face(side * 0.080, 0.010, -0.006), 0.017, face(side * 0.078, -0.026, 0.000), 0.011, kSkin);
-    cone(face(side * 0.074, 0.050, 0.010), 0.016, face(side * 0.074, 0.012, 0.016), 0.010, kHair);
+    cone(face(side * 0.026, 0.004, 0.083), 0.0115, face(side * 0.038, 0.004, 0.081), 0.0105, kEyeWhite);
+    ball(face(side * 0.032, 0.003, 0.0875), 0.0085, kPupil);
+    cone(face(side * 0.015, 0.026, 0.091), 0.0045, face(side * 0.047, 0.027, 0.080), 0.0040, kBrow);
+    cone(face(side * 0.081, 0.012, -0.004), 0.018, face(side * 0.080, -0.026, 0.002), 0.012, kSkin);
+    ball(face(side * 0.090, -0.002, 0.004), 0.009, kEar);
   }
-  cone(face(0, 0.006, 0.092), 0.010, face(0, -0.030, 0.108), 0.0145, kSkin);
-  cone(face(-0.022, -0.058, 0.083), 0.0062, face(0.022, -0.058, 0.083), 0.0062, kLips);
+  cone(face(0, 0.006, 0.092), 0.010, face(0, -0.028, 0.108), 0.0150, kSkin);
+  for (const double side : {1.0, -1.0}) ball(face(side * 0.010, -0.036, 0.106), 0.0075, kSkin);
+  cone(face(-0.022, -0.058, 0.083), 0.0065, face(0.022, -0.058, 0.083), 0.0065, kLips);
   cone(body.shoulders.at(0, 0.015 * s, -0.010 * s), 0.060, face(0, -0.060, -0.012), 0.054, kSkin);
   cone(body.shoulders.at(-0.020 * s, 0.030 * s, 0.000 * s), 0.050,
        body.shoulders.at(0.020 * s, 0.030 * s, 0.000 * s), 0.050, kCollar);
@@ -167,23 +170,23 @@ ConeScene GolferFigure::scene(const Posed& posed) const {
     cone(shoulders(side * 0.085, -0.055, 0.005), 0.098, ribs(side * 0.078, 0.008), 0.094, kShirt);
     cone(mix(body.shoulders.origin, body.shoulder[i], 0.80), 0.068, ribs(side * 0.086, 0.0), 0.080, kShirt);
     cone(ribs(side * 0.078, 0.008), 0.094, waist(side * 0.070, 0.004), 0.086, kShirt);
-    cone(waist(side * 0.070, 0.004), 0.086, pelvis(side * 0.078, 0.085, -0.004), 0.092, kShirt);
-    cone(pelvis(side * 0.076, 0.060, -0.004), 0.0945, pelvis(side * 0.076, 0.052, -0.004), 0.0945, kBelt);
-    cone(pelvis(side * 0.080, 0.045, -0.006), 0.092, pelvis(side * 0.088, -0.030, -0.012), 0.094, kTrousers);
+    cone(waist(side * 0.070, 0.004), 0.086, pelvis(side * 0.074, 0.120, -0.002), 0.088, kShirt);
+    cone(pelvis(side * 0.074, 0.098, -0.002), 0.0905, pelvis(side * 0.074, 0.090, -0.002), 0.0905, kBelt);
+    cone(pelvis(side * 0.075, 0.085, -0.003), 0.0895, pelvis(side * 0.088, -0.030, -0.012), 0.094, kTrousers);
   }
   cone(shoulders(0, -0.050, 0.010), 0.100, ribs(0, 0.018), 0.096, kShirt);
   cone(ribs(0, 0.018), 0.096, waist(0, 0.010), 0.090, kShirt);
-  cone(waist(0, 0.010), 0.090, pelvis(0, 0.085, 0.002), 0.094, kShirt);
-  cone(pelvis(0, 0.062, 0.0), 0.096, pelvis(0, 0.054, 0.0), 0.096, kBelt);
-  cone(pelvis(0, 0.045, 0.0), 0.094, pelvis(0, -0.020, -0.012), 0.090, kTrousers);
+  cone(waist(0, 0.010), 0.090, pelvis(0, 0.120, 0.002), 0.091, kShirt);
+  cone(pelvis(0, 0.099, 0.001), 0.0925, pelvis(0, 0.091, 0.001), 0.0925, kBelt);
+  cone(pelvis(0, 0.086, 0.001), 0.0915, pelvis(0, -0.020, -0.012), 0.090, kTrousers);
 
   for (const std::size_t i : {0U, 1U}) {
     // Arms: a short sleeve, then skin.
-    const Vec3 sleeve = mix(body.shoulder[i], body.elbow[i], 0.62);
+    const Vec3 sleeve = mix(body.shoulder[i], body.elbow[i], 0.50);
     cone(body.shoulder[i], 0.060, sleeve, 0.051, kShirt);
-    cone(sleeve, 0.042, body.elbow[i], 0.037, kSkin);
-    cone(body.elbow[i], 0.038, mix(body.elbow[i], body.wrist[i], 0.3), 0.040, kSkin);
-    cone(mix(body.elbow[i], body.wrist[i], 0.3), 0.040, body.wrist[i], 0.027, kSkin);
+    cone(sleeve, 0.044, body.elbow[i], 0.034, kSkin);
+    cone(body.elbow[i], 0.035, mix(body.elbow[i], body.wrist[i], 0.28), 0.041, kSkin);
+    cone(mix(body.elbow[i], body.wrist[i], 0.28), 0.041, body.wrist[i], 0.025, kSkin);
     // Legs.
     cone(body.hip[i], 0.092, mix(body.hip[i], body.knee[i], 0.5), 0.076, kTrousers);
     cone(mix(body.hip[i], body.knee[i], 0.5), 0.076, body.knee[i], 0.058, kTrousers);
@@ -194,8 +197,8 @@ ConeScene GolferFigure::scene(const Posed& posed) const {
     const auto& foot = body.foot[i];
     const double length = toe_tip_[i].z;
     const auto shoe = [&](double x, double y, double z) { return foot.at(x * s, y * s, z); };
-    cone(shoe(0, 0.040, -0.018 * s), 0.036, body.ankle[i], 0.040, kShoe);
-    cone(shoe(0, 0.045, 0.012 * s), 0.040, shoe(0, 0.038, 0.70 * length), 0.036, kShoe);
+    cone(shoe(0, 0.034, -0.022 * s), 0.034, shoe(0, 0.036, 0.010 * s), 0.036, kShoe);
+    cone(shoe(0, 0.036, 0.010 * s), 0.036, shoe(0, 0.036, 0.70 * length), 0.035, kShoe);
     cone(shoe(0.010, 0.034, 0.62 * length), 0.033, shoe(0.004, 0.030, 0.90 * length), 0.027, kShoe);
     cone(shoe(-0.010, 0.034, 0.62 * length), 0.033, shoe(-0.004, 0.030, 0.90 * length), 0.027, kShoe);
     cone(shoe(0, 0.016, -0.030 * s), 0.018, shoe(0, 0.016, 0.94 * length), 0.018, kSole);
@@ -204,7 +207,7 @@ ConeScene GolferFigure::scene(const Posed& posed) const {
     const auto hand = [&](double along, double up, double thumb) {
       return body.hand[i].at(out * along * s, up * s, thumb * s);
     };
-    cone(hand(0.004, 0, 0), 0.029, hand(0.060, 0.004, 0.012), 0.033, kSkin);
+    cone(hand(0.010, 0, 0), 0.028, hand(0.060, 0.004, 0.012), 0.034, kSkin);
     cone(hand(0.060, 0.004, -0.018), 0.026, hand(0.064, 0.002, 0.026), 0.026, kSkin);
     cone(hand(0.066, -0.024, -0.024), 0.017, hand(0.068, -0.024, 0.030), 0.017, kSkin);
     cone(hand(0.030, -0.012, 0.028), 0.014, hand(0.062, -0.020, 0.058), 0.011, kSkin);

@@ -99,6 +99,7 @@ struct PreparedCone {
   std::optional<Touch> touch(const Float3& ray) const {
     const float squared = glm::dot(ray, ray);
     const float begin_on_ray = glm::dot(begin, ray);
+    Touch nearest{kFar, Part::Side, 0};
     if (length > 0) {
       const float axis_on_ray = glm::dot(axis, ray);
       const float a = cosine * cosine * squared - axis_on_ray * axis_on_ray;
@@ -108,18 +109,19 @@ struct PreparedCone {
       if (discriminant < 0 && a > 0) return std::nullopt;  // misses even the endless cone
       if (discriminant >= 0 && std::abs(a) > 1e-9F) {
         const float root = std::sqrt(discriminant);
-        const float first = (-b - root) / a, second = (-b + root) / a;
-        for (const float depth : {std::min(first, second), std::max(first, second)}) {
-          const float along = begin_along + depth * axis_on_ray;
-          if (depth > 0 && along >= begin_radius * sine && along <= length + end_radius * sine)
-            return Touch{depth, Part::Side, along};
-        }
+        const Touch first = side((-b - root) / a, axis_on_ray), second = side((-b + root) / a, axis_on_ray);
+        // Where the ray enters the endless cone it enters this one, if it is there at all.
+        if (a > 0 && first.depth < kFar) return first;
+        nearest = first.depth < second.depth ? first : second;
       }
     }
-    const float first = ball(squared, begin_on_ray, begin_constant);
-    const float second = length > 0 ? ball(squared, glm::dot(end, ray), end_constant) : kFar;
-    if (first >= kFar && second >= kFar) return std::nullopt;
-    return first < second ? Touch{first, Part::Begin, 0} : Touch{second, Part::End, 0};
+    const Touch begin_ball{ball(squared, begin_on_ray, begin_constant), Part::Begin, 0};
+    if (begin_ball.depth < nearest.depth) nearest = begin_ball;
+    if (length > 0) {
+      const Touch end_ball{ball(squared, glm::dot(end, ray), end_constant), Part::End, 0};
+      if (end_ball.depth < nearest.depth) nearest = end_ball;
+    }
+    return nearest.depth < kFar ? std::optional(nearest) : std::nullopt;
   }
 
   Float3 normal(const Float3& ray, const Touch& touch) const {
@@ -132,6 +134,11 @@ struct PreparedCone {
   }
 
  private:
+  Touch side(float depth, float axis_on_ray) const {
+    const float along = begin_along + depth * axis_on_ray;
+    const bool is_here = depth > 0 && along >= begin_radius * sine && along <= length + end_radius * sine;
+    return {is_here ? depth : kFar, Part::Side, along};
+  }
   static float ball(float squared, float centre_on_ray, float constant) {
     const float discriminant = centre_on_ray * centre_on_ray - squared * constant;
     if (discriminant < 0 || centre_on_ray <= 0) return kFar;

@@ -118,8 +118,8 @@ std::vector<Change> changes_of(std::string_view fault) {
   if (fault == "wrist_break")
     return {{ClubAngle, {{"top", 0}, {"impact", 0.3}, {"mid_follow_through", 0.8}, {"end", 1}}}};
   if (fault == "head_moves_with_putter")
-    return {{PelvisSway, {{"address", 0}, {"top", -0.3}, {"impact", 0}, {"end", 0.4}}},
-            {ChestSide, {{"address", 0}, {"top", 0.65}, {"impact", 0}, {"end", -0.65}}}};
+    return {{PelvisSway, {{"address", 0}, {"top", -0.4}, {"impact", 0}, {"end", 0.4}}},
+            {ChestSide, {{"address", 0}, {"top", 1.1}, {"impact", 0}, {"end", -1.1}}}};
   return {};
 }
 

@@ -50,9 +50,11 @@ double distance_to_sphere(const Vec3& start, const Vec3& direction, const Vec3& 
   return -b + std::sqrt(std::max(0.0, b * b - glm::dot(to_start, to_start) + radius * radius));
 }
 
-// Where the wrists are in the club's axes (shaft to the head, face normal, out of the swing plane), metres.
+// Where the wrists are in the club's axes (shaft to the head, face normal, out of the swing plane), and where
+// each hand's middle is along the shaft; metres.
 constexpr std::array<std::array<double, 3>, 2> kWristFromGrip = {
-    {{-0.048, 0.012, 0.050}, {0.024, -0.016, 0.054}}};
+    {{-0.070, 0.014, 0.042}, {0.008, -0.016, 0.046}}};
+constexpr std::array<double, 2> kHandFromGrip = {-0.038, 0.042};
 
 // Legs and arms bend at least so much: a joint that locks would jerk.
 constexpr double kStraightestKnee = 0.10;
@@ -160,9 +162,10 @@ GolferPoser::Torso GolferPoser::place_torso(const GolfPose& numbers) const {
   inherit(skeleton, set, torso.global);
 
   const double scale = body_.size / 100;
-  torso.middle_of_hips = {numbers[PelvisSway] * scale,
-                          hips_height_m_ - hips_offset_m_ + numbers[PelvisLift] * scale,
-                          (numbers[PelvisThrust] - stance_.hips_back_cm) * scale};
+  torso.middle_of_hips = {
+      numbers[PelvisSway] * scale,
+      hips_height_m_ - hips_offset_m_ - sink_at_impact_m_ * numbers[BallAim] + numbers[PelvisLift] * scale,
+      (numbers[PelvisThrust] - stance_.hips_back_cm) * scale};
   // Both feet must stay in reach.
   for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
     const Limb& leg = body_.legs[at(side)];
@@ -209,26 +212,21 @@ GolferPoser::Grip GolferPoser::place_grip(const GolfPose& numbers,
   const Vec3 along_arc = up_plane * std::sin(angle) + Vec3(1, 0, 0) * std::cos(angle);
   const double roll = radians_from_degrees(numbers[ClubRoll]);
 
+  const Quat aim = glm::slerp(Quat(1, 0, 0, 0), aim_at_impact_, numbers[BallAim]);
   Grip grip;
-  // The hands carry the club, the club's direction to the ball depends on the hands: a few rounds settle it.
-  grip.point = hub + to_hands * 0.5;
-  for (int round = 0; round < 12; ++round) {
-    const Vec3 to_ball = glm::normalize(ball_ - grip.point);
-    const Quat aim = glm::slerp(Quat(1, 0, 0, 0), swing_between(keyed_shaft, to_ball), numbers[BallAim]);
-    grip.shaft = aim * keyed_shaft;
-    grip.normal = aim * (plane_normal * std::cos(roll) + along_arc * std::sin(roll));
-    grip.face = aim * (along_arc * std::cos(roll) - plane_normal * std::sin(roll));
-    double reach = 1e9;
-    for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
-      const Limb& arm = body_.arms[at(side)];
-      const double flexion = radians_from_degrees(numbers[side == GolferBody::Lead ? LeadElbow : TrailElbow]);
-      const Vec3 wrist_offset = grip.wrist(side) - grip.point;
-      const double distance =
-          distance_to_sphere(hub, to_hands, shoulders[at(side)] - wrist_offset, arm.reach(flexion));
-      reach = side == GolferBody::Lead ? distance : soft_minimum(reach, distance, 0.006 * body_.size);
-    }
-    grip.point = hub + to_hands * reach;
+  grip.shaft = aim * keyed_shaft;
+  grip.normal = aim * (plane_normal * std::cos(roll) + along_arc * std::sin(roll));
+  grip.face = aim * (along_arc * std::cos(roll) - plane_normal * std::sin(roll));
+  double reach = 1e9;
+  for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
+    const Limb& arm = body_.arms[at(side)];
+    const double flexion = radians_from_degrees(numbers[side == GolferBody::Lead ? LeadElbow : TrailElbow]);
+    const Vec3 wrist_offset = grip.wrist(side) - grip.point;
+    const double distance =
+        distance_to_sphere(hub, to_hands, shoulders[at(side)] - wrist_offset, arm.reach(flexion));
+    reach = side == GolferBody::Lead ? distance : soft_minimum(reach, distance, 0.006 * body_.size);
   }
+  grip.point = hub + to_hands * reach;
   return grip;
 }
 
@@ -248,8 +246,7 @@ double GolferPoser::place_arms(const GolfPose& numbers, const Grip& grip,
     deficit = std::max(deficit, solution.deficit);
     turn_limb(arm, shoulders[at(side)], solution, global);
     // The hand lies across the grip with the thumb down the shaft.
-    const Vec3 from_wrist = grip.point + grip.shaft * glm::dot(grip.shaft, wrist - grip.point) - wrist;
-    const Vec3 fingers = glm::normalize(from_wrist);
+    const Vec3 fingers = glm::normalize(grip.point + grip.shaft * kHandFromGrip[at(side)] - wrist);
     global[at(arm.end)] =
         rotation_between(axes(Vec3(lead ? 1 : -1, 0, 0), Vec3(0, 0, 1)), axes(fingers, grip.shaft));
   }
@@ -308,15 +305,14 @@ GolferPose GolferPoser::pose(const GolfPose& numbers) const {
 }
 
 void GolferPoser::fit_address(const GolfPose& address) {
-  // Without a ball to aim at, the shaft keeps its lie; bend, then sink, until the head is on the ground.
-  GolfPose numbers = address;
-  numbers[BallAim] = 0;
+  // Bend, then sink, until the club's head is on the ground.
+  const GolfPose& numbers = address;
   const auto head_height = [&](double bend_deg, double sink_m) {
     bend_offset_deg_ = bend_deg;
     hips_offset_m_ = sink_m;
     return pose(numbers).club.head.y;
   };
-  constexpr double kMostBend = 14, kMostSink = 0.10, kHeadCentre = 0.02;
+  constexpr double kMostBend = 14, kMostSink = 0.15, kHeadCentre = 0.02;
   double low = -kMostBend, high = kMostBend;  // bending lowers the hands
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
@@ -344,6 +340,22 @@ void GolferPoser::fit_address(const GolfPose& address) {
   ball_ = pose(numbers).club.head;
 }
 
+void GolferPoser::fit_impact(const GolfPose& impact) {
+  // Sink or rise until the ball is one club away from the hands, and turn the shaft to it. Each moves the
+  // other a little: a few rounds settle them.
+  constexpr double kMostSink = 0.06;
+  for (int round = 0; round < 4; ++round) {
+    double least = -kMostSink * body_.size, most = kMostSink * body_.size;
+    for (int i = 0; i < 30; ++i) {
+      sink_at_impact_m_ = 0.5 * (least + most);
+      const bool is_far = glm::distance(pose(impact).club.grip, ball_) > club_.grip_to_head_m;
+      (is_far ? least : most) = sink_at_impact_m_;
+    }
+    const ClubPose club = pose(impact).club;
+    aim_at_impact_ = glm::normalize(swing_between(club.head - club.grip, ball_ - club.grip) * aim_at_impact_);
+  }
+}
+
 Result<GolferPoser> GolferPoser::make(const Skeleton& skeleton, const GolfScript& script) {
   Result<GolferBody> body = GolferBody::make(skeleton);
   if (!body) return tl::unexpected(body.error());
@@ -352,6 +364,7 @@ Result<GolferPoser> GolferPoser::make(const Skeleton& skeleton, const GolfScript
   poser.stance_ = script.stance();
   poser.hips_height_m_ = poser.address_hips_height();
   poser.fit_address(script.pose(0));
+  poser.fit_impact(script.pose(script.time_of("impact")));
   return poser;
 }
 

@@ -49,14 +49,17 @@ class GolferPoser {
   struct Foot;
   Foot foot(int side, const GolfPose& numbers) const;
   void fit_address(const GolfPose& address);
+  void fit_impact(const GolfPose& impact);
 
   GolferBody body_;
   GolfClub club_;
   GolfStance stance_;
-  double hips_height_m_ = 0;    // at address
-  double bend_offset_deg_ = 0;  // of the whole motion, for this body
-  double hips_offset_m_ = 0;    // down, likewise
-  double lie_offset_deg_ = 0;   // of the shaft, likewise
+  double hips_height_m_ = 0;     // at address
+  double bend_offset_deg_ = 0;   // of the whole motion, for this body
+  double hips_offset_m_ = 0;     // down, likewise
+  double lie_offset_deg_ = 0;    // of the shaft, likewise
+  Quat aim_at_impact_;           // of the shaft, where the numbers say BallAim
+  double sink_at_impact_m_ = 0;  // of the hips, likewise
   Vec3 ball_;
 };
 
