@@ -173,6 +173,26 @@ std::string hidden_by_view(Viewpoint view) {
                                    : "not visible from down the line: film face-on for it";
 }
 
+std::string implausible(double value, std::string_view unit) {
+  return fmt::format("the pose model's {:.0f} {} is not plausible: one camera tells turns badly", value,
+                     unit);
+}
+
+std::string seen_from(Viewpoint view) {
+  switch (view) {
+    case Viewpoint::AllSides:
+      return {};
+    case Viewpoint::FaceOn:
+      return "Filmed face-on: turns, and what happens towards the ball, are not judged.";
+    case Viewpoint::DownTheLine:
+      return "Filmed down the line: turns, the lead arm, and what happens along the target line are not "
+             "judged.";
+    case Viewpoint::Between:
+      break;
+  }
+  return "Filmed from an angle: turns are not judged; stand square to the camera for more.";
+}
+
 std::string too_few_frames(double frame_rate) {
   return fmt::format("too few frames a second ({:.0f}) for it", frame_rate);
 }

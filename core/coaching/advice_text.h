@@ -28,8 +28,11 @@ std::string out_of_reach(double metres);
 std::string_view phase(std::string_view from, std::string_view to);
 // "at the top"
 std::string_view moment(std::string_view event);
+// What one camera cannot tell; empty where every direction is known.
+std::string seen_from(Viewpoint view);
 // Why a metric cannot be given.
 std::string hidden_by_view(Viewpoint view);
+std::string implausible(double value, std::string_view unit);
 std::string too_few_frames(double frame_rate);
 std::string hidden_joints(std::string_view what);
 

@@ -22,13 +22,14 @@ constexpr double kLeastConfidence = 0.05;
 constexpr double kNear = 0.02;
 
 PoseSequence pose_sequence(const JointTrack& track, const std::vector<HumanoidJoint>& joints, int step,
-                           double yaw) {
+                           double yaw, const Sight& sight = {}) {
   PoseSequence poses((track.frame_count() + step - 1) / step, static_cast<int>(joints.size()));
   for (int row = 0, frame = 0; frame < track.frame_count(); ++row, frame += step) {
     const Vec3& root = track.position(frame, HumanoidJoint::Pelvis);
     for (std::size_t k = 0; k < joints.size(); ++k) {
       Vec3 p = track.position(frame, joints[k]) - root;
       if (yaw != 0) p = turned(p, yaw);
+      p = sight.seen(p);
       poses.set(row, static_cast<int>(k), static_cast<float>(p.x), static_cast<float>(p.y),
                 static_cast<float>(p.z),
                 static_cast<float>(std::max(track.confidence(frame, joints[k]), kLeastConfidence)));
@@ -120,7 +121,7 @@ void add_own_path(Alignment& alignment, const JointTrack& student, const JointTr
 }
 
 Alignment align_tracks(const JointTrack& own_student, const JointTrack& own_coach, JointTrack student,
-                       JointTrack coach, WarpEnds ends) {
+                       JointTrack coach, WarpEnds ends, const Sight& sight) {
   std::vector<HumanoidJoint> joints;
   for (const HumanoidJoint joint : student.joints())
     if (joint != HumanoidJoint::Pelvis && coach.has(joint)) joints.push_back(joint);
@@ -138,12 +139,15 @@ Alignment align_tracks(const JointTrack& own_student, const JointTrack& own_coac
     yaw = tried;
     found = std::move(next);
   }
+  // The turn was found in all directions alike; the pairing goes by what was seen.
+  const PoseSequence seen = pose_sequence(student, joints, 1, 0, sight);
+  const PoseSequence seen_coach = pose_sequence(coach, joints, 1, yaw, sight);
+  if (sight.direction) found = warp(seen, seen_coach, ends);
   Alignment alignment{
-      yaw, std::move(student), turned_track(coach, yaw), std::move(joints), std::move(found.path), {}, {},
-      {}};
-  const PoseSequence c = pose_sequence(coach, alignment.joints, 1, yaw);
+      sight, yaw, std::move(student), turned_track(coach, yaw), std::move(joints), std::move(found.path), {},
+      {},    {}};
   for (const auto& [i, j] : alignment.steps)
-    alignment.step_error_m.push_back(pair_cost(s, i, c, j) / c.joints());
+    alignment.step_error_m.push_back(pair_cost(seen, i, seen_coach, j) / seen.joints());
   add_own_path(alignment, own_student, own_coach);
   return alignment;
 }
@@ -151,16 +155,17 @@ Alignment align_tracks(const JointTrack& own_student, const JointTrack& own_coac
 }  // namespace
 
 Alignment align(const JointTrack& student, const JointTrack& coach, const TimeWindow& student_window,
-                const TimeWindow& coach_window) {
+                const TimeWindow& coach_window, const Sight& sight) {
   return align_tracks(
       student, coach, student.resampled(kAlignmentRate, student_window.begin_s, student_window.end_s),
-      coach.resampled(kAlignmentRate, coach_window.begin_s, coach_window.end_s), WarpEnds::Closed);
+      coach.resampled(kAlignmentRate, coach_window.begin_s, coach_window.end_s), WarpEnds::Closed, sight);
 }
 
-Alignment align_anywhere(const JointTrack& student, const JointTrack& coach, const TimeWindow& coach_window) {
+Alignment align_anywhere(const JointTrack& student, const JointTrack& coach, const TimeWindow& coach_window,
+                         const Sight& sight) {
   return align_tracks(student, coach, student.resampled(kAlignmentRate, 0, student.duration()),
                       coach.resampled(kAlignmentRate, coach_window.begin_s, coach_window.end_s),
-                      WarpEnds::OpenStudent);
+                      WarpEnds::OpenStudent, sight);
 }
 
 namespace {

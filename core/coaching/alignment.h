@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/coaching/joint_track.h"
+#include "core/coaching/sight.h"
 
 namespace posecoach {
 
@@ -18,6 +19,7 @@ struct TimeWindow {
 inline constexpr double kAlignmentRate = 120;
 
 struct Alignment {
+  Sight sight;           // what the distances below were seen by
   double coach_yaw = 0;  // the one turn about +Y, radians, that makes the coach face as the student does
   // Both windows at kAlignmentRate; the coach already turned (about the world's origin).
   JointTrack student, coach;
@@ -34,7 +36,8 @@ struct Alignment {
 // Windows without a value: the whole coach is searched for anywhere inside the student. Poses are compared
 // with the pelvis at the origin; turn and warp are improved in turns until both stand still.
 Alignment align(const JointTrack& student, const JointTrack& coach, const TimeWindow& student_window,
-                const TimeWindow& coach_window);
-Alignment align_anywhere(const JointTrack& student, const JointTrack& coach, const TimeWindow& coach_window);
+                const TimeWindow& coach_window, const Sight& sight = {});
+Alignment align_anywhere(const JointTrack& student, const JointTrack& coach, const TimeWindow& coach_window,
+                         const Sight& sight = {});
 
 }  // namespace posecoach

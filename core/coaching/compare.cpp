@@ -26,19 +26,19 @@ struct Side {
   Handedness hand = Handedness::Right;
   std::optional<SwingEvents> events;
   std::string reason;
+  Sight sight;
 };
 
-Result<Side> make_side(const Motion& motion, std::optional<Handedness> hand) {
+Result<Side> make_side(const Motion& motion, std::optional<Handedness> hand, const Sight& sight) {
   Result<JointTrack> track = JointTrack::from_motion(motion);
   if (!track) return tl::unexpected(track.error());
-  Side side{*std::move(track), hand.value_or(Handedness::Right), std::nullopt, {}};
-  Result<SwingEvents> events = find_swing_events(side.track, {hand});
-  if (events && events->hand == Handedness::Left) {
-    side.hand = Handedness::Left;
+  Side side{*std::move(track), hand.value_or(Handedness::Right), std::nullopt, {}, sight};
+  Result<SwingEvents> events = find_swing_events(side.track, {hand, sight});
+  if (events) side.hand = events->hand;
+  if (side.hand == Handedness::Left) {
     side.track = side.track.mirrored();
-    events = find_swing_events(side.track, {Handedness::Right});
-  } else if (!events && side.hand == Handedness::Left) {
-    side.track = side.track.mirrored();
+    if (sight.direction) side.sight.direction = mirrored(*sight.direction);
+    events = find_swing_events(side.track, {Handedness::Right, side.sight});
   }
   if (events)
     side.events = *std::move(events);
@@ -107,10 +107,12 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
                  Viewpoint view) {
   const JointTrack turned_coach =
       coach.track.mapped([&](const Vec3& p) { return turned(p, alignment.coach_yaw); });
-  const ComparedSwings swings{student.track, *student.events, turned_coach, *coach.events, view};
+  const ComparedSwings swings{student.track, *student.events, turned_coach, *coach.events,
+                              view,          student.sight};
   analysis.student_events = student.events->events;
   analysis.student_takeaway_s = student.events->takeaway_s;
   TimingResult timing = find_timing_advice(swings, alignment);
+  if (const std::string seen = text::seen_from(view); !seen.empty()) analysis.notes.push_back(seen);
   if (timing.in_proportion) analysis.notes.push_back(text::other_pace(timing.pace, is_one_camera(view)));
   analysis.spatial = find_spatial_advice(swings, kMostAdvice);
   analysis.metrics = measure_swing(swings);
@@ -122,9 +124,9 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
 
 Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motion,
                          const CompareOptions& options) {
-  const Result<Side> student = make_side(student_motion, options.hand);
+  const Result<Side> student = make_side(student_motion, options.hand, options.sight);
   if (!student) return fail(student.error().code, "the student's motion: " + student.error().message);
-  const Result<Side> coach = make_side(coach_motion, std::nullopt);
+  const Result<Side> coach = make_side(coach_motion, std::nullopt, {});
   if (!coach) return fail(coach.error().code, "the coach's motion: " + coach.error().message);
   if (!coach->events) return fail(ErrorCode::Incomplete, "the coach's motion: " + coach->reason);
   if (student->events && student->events->kind != coach->events->kind)
@@ -134,8 +136,9 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
                                            "; choose a coach's motion of the same kind");
   const TimeWindow coach_window = stroke_window(*coach->events);
   const Alignment alignment =
-      student->events ? align(student->track, coach->track, stroke_window(*student->events), coach_window)
-                      : align_anywhere(student->track, coach->track, coach_window);
+      student->events
+          ? align(student->track, coach->track, stroke_window(*student->events), coach_window, student->sight)
+          : align_anywhere(student->track, coach->track, coach_window, student->sight);
   Analysis analysis;
   analysis.stroke = to_string(coach->events->kind);
   analysis.coach.frames = coach_motion.frame_count();

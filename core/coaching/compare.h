@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/coaching/analysis.h"
+#include "core/coaching/sight.h"
 #include "core/coaching/swing_events.h"
 #include "core/coaching/viewpoint.h"
 #include "core/motion/motion.h"
@@ -14,6 +15,7 @@ namespace posecoach {
 struct CompareOptions {
   std::optional<Handedness> hand = {};  // the student's; detected when not given
   Viewpoint view = Viewpoint::AllSides;
+  Sight sight = {};  // of the camera, in the world of the student's motion
 };
 
 // `coach` is already in the student's body. Coach and student may be of different hands: each is compared as

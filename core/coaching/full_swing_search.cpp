@@ -46,8 +46,7 @@ Result<StrokeMoments> find_full_swing(const HandPath& path, const SwingBow& bow,
   if (!start)
     return fail(ErrorCode::Incomplete, "the hands never rest before the backswing, so its start is not seen");
 
-  std::vector<double> way;
-  for (const Vec3& hands : path.hands) way.push_back(glm::distance(hands, start->hands));
+  const std::vector<double> way = distance_from_rest(path, *start);
   const int top = index_of_largest(way, rising, bow.low);
   const auto half_down = crossing(path.height, top, bow.low, half_height);
   if (!half_down) return fail(ErrorCode::Incomplete, "the hands do not come down again after the top");
@@ -70,6 +69,7 @@ Result<StrokeMoments> find_full_swing(const HandPath& path, const SwingBow& bow,
                                             .value_or(0.5 * (impact + bow.follow));
   const double through_speed = path.speed[at(index_of_largest(path.speed, impact, bow.follow))];
   const double finish = find_rest(path, static_cast<int>(std::ceil(follow_through)), through_speed);
+  found.is_rest_seen = finish < path.count() - 1;
   found.moments = {{"address", start->address},
                    {"toe_up", std::max(toe_up, found.takeaway)},
                    {"mid_backswing", mid_backswing},

@@ -35,14 +35,19 @@ double smoothing_samples(const JointTrack& track) {
 
 }  // namespace
 
-HandPath make_hand_path(const JointTrack& track) {
+HandPath make_hand_path(const JointTrack& track, const Sight& sight) {
   const JointTrack fine = track.resampled(kHandPathRate, track.time(0), track.duration());
   HandPath path;
   path.begin_s = fine.time(0);
   std::vector<double> torso;
   for (int i = 0; i < fine.frame_count(); ++i) {
     const Vec3 hands = 0.5 * (fine.position(i, LeftWrist) + fine.position(i, RightWrist));
-    path.hands.push_back(hands - fine.position(i, Pelvis));
+    const Vec3& pelvis = fine.position(i, Pelvis);
+    path.left_wrist.push_back(sight.seen(fine.position(i, LeftWrist) - pelvis));
+    path.right_wrist.push_back(sight.seen(fine.position(i, RightWrist) - pelvis));
+    path.left_confidence.push_back(fine.confidence(i, LeftWrist));
+    path.right_confidence.push_back(fine.confidence(i, RightWrist));
+    path.hands.push_back(sight.seen(hands - pelvis));
     path.height.push_back(path.hands.back().y);
     const Vec3 left = fine.position(i, LeftShoulder), right = fine.position(i, RightShoulder);
     path.arms.push_back(hands - 0.5 * (left + right));
@@ -52,6 +57,8 @@ HandPath make_hand_path(const JointTrack& track) {
   }
   const double sigma = smoothing_samples(track);
   path.hands = smoothed(path.hands, sigma);
+  path.left_wrist = smoothed(path.left_wrist, sigma);
+  path.right_wrist = smoothed(path.right_wrist, sigma);
   path.height = smoothed(path.height, sigma);
   path.arms = smoothed(path.arms, sigma);
   path.left_arms = smoothed(path.left_arms, sigma);

@@ -4,14 +4,17 @@
 #include <vector>
 
 #include "core/coaching/joint_track.h"
+#include "core/coaching/sight.h"
 
 namespace posecoach {
 
 inline constexpr double kHandPathRate = 120;
 
 struct HandPath {
-  std::vector<Vec3> hands;     // middle of the wrists, relative to the pelvis, metres
-  std::vector<double> speed;   // of it, metres a second
+  std::vector<Vec3> hands;                    // middle of the wrists, relative to the pelvis, metres
+  std::vector<Vec3> left_wrist, right_wrist;  // the same of each
+  std::vector<double> left_confidence, right_confidence;
+  std::vector<double> speed;   // of the hands, metres a second
   std::vector<double> height;  // of the hands over the pelvis, metres
   // To the hands from the middle of the shoulders, and from halfway between it and each shoulder, metres.
   std::vector<Vec3> arms, left_arms, right_arms;
@@ -23,7 +26,7 @@ struct HandPath {
 };
 
 // Smoothing grows with how much the hands tremble: a few milliseconds for mocap, most of a frame for films.
-HandPath make_hand_path(const JointTrack& track);
+HandPath make_hand_path(const JointTrack& track, const Sight& sight = {});
 
 // Angle of the arms above the horizon, degrees.
 std::vector<double> elevation_deg(const std::vector<Vec3>& arm);

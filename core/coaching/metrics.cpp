@@ -74,6 +74,8 @@ class Sheet {
     double plus_minus_one_camera = 0;  // of a webcam from a good side
     bool needs_target_direction = false, needs_ball_direction = false;
     const char* definition = "";
+    // What a body can do; a webcam's value outside is the pose model's doing.
+    double least = -1e9, most = 1e9;
   };
   void add(const Rule& rule, const JointTrack& seen, std::initializer_list<HumanoidJoint> joints,
            const std::function<double(const Stroke&)>& measure) {
@@ -86,6 +88,9 @@ class Sheet {
                  return seen.confidence(0, joint) < kLeastConfidence;
                })) {
       metric.reason = text::hidden_joints("a joint is");
+    } else if (const double value = measure(student_);
+               is_one_camera(view_) && (value < rule.least || value > rule.most)) {
+      metric.reason = text::implausible(value, rule.unit);
     }
     finish(metric, measure);
   }
@@ -139,15 +144,15 @@ void add_times(Sheet& sheet, double off_s) {
 void add_full_swing(Sheet& sheet) {
   const Stroke& s = sheet.student();
   sheet.add({"shoulder_turn_top_deg", "deg", 3, 15, false, false,
-             "shoulder line on the ground at the top, from address; 90 to 100 (GOLFTEC, Sportsbox)"},
+             "shoulder line on the ground at the top, from address; 90 to 100 (GOLFTEC, Sportsbox)", 50, 130},
             s.top, {LeftShoulder, RightShoulder},
             [](const Stroke& b) { return -b.turned_since_address(b.top, LeftShoulder, RightShoulder); });
   sheet.add({"hip_turn_top_deg", "deg", 3, 15, false, false,
-             "hip line on the ground at the top, from address; 40 to 45 (Sportsbox)"},
+             "hip line on the ground at the top, from address; 40 to 45 (Sportsbox)", 15, 80},
             s.top, {LeftHip, RightHip},
             [](const Stroke& b) { return -b.turned_since_address(b.top, LeftHip, RightHip); });
   sheet.add({"x_factor_top_deg", "deg", 4, 16, false, false,
-             "shoulder turn less hip turn at the top; depends on its definition"},
+             "shoulder turn less hip turn at the top; depends on its definition", 10, 80},
             s.top, {LeftShoulder, RightShoulder, LeftHip, RightHip}, [](const Stroke& b) {
               return b.turned_since_address(b.top, LeftHip, RightHip) -
                      b.turned_since_address(b.top, LeftShoulder, RightShoulder);
@@ -173,10 +178,10 @@ void add_full_swing(Sheet& sheet) {
   sheet.add({"thrust_impact_cm", "cm", 1, 3, false, true,
              "middle of the hips at impact, towards the ball from address: early extension"},
             s.impact, {LeftHip, RightHip}, [](const Stroke& b) { return 100 * b.moved(b.impact, hips).z; });
-  sheet.add({"lead_arm_bend_top_deg", "deg", 3, 10, false, false,
-             "elbow of the lead arm at the top; 0 is straight"},
-            s.top, {LeftShoulder, LeftElbow, LeftWrist},
-            [](const Stroke& b) { return bend_deg(b.top, 0, LeftShoulder, LeftElbow, LeftWrist); });
+  sheet.add(
+      {"lead_arm_bend_top_deg", "deg", 3, 10, true, false, "elbow of the lead arm at the top; 0 is straight"},
+      s.top, {LeftShoulder, LeftElbow, LeftWrist},
+      [](const Stroke& b) { return bend_deg(b.top, 0, LeftShoulder, LeftElbow, LeftWrist); });
   sheet.add(
       {"hand_path_cm", "cm", 2, 6, false, true,
        "hands nearer the ball halfway down than halfway back (positive: over the top); hands, not club"},

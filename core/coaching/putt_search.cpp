@@ -52,6 +52,7 @@ Result<StrokeMoments> find_putt(const HandPath& path, const std::vector<double>&
   const double rest = find_rest(path, index_of_largest(path.speed, static_cast<int>(*impact), end), fastest);
   StrokeMoments found;
   found.takeaway = start->takeaway;
+  found.is_rest_seen = rest < path.count() - 1;
   found.moments = {{"address", start->address},
                    {"top", vertex_near(forward, top)},
                    {"impact", *impact},

@@ -64,7 +64,7 @@ std::vector<JointError> joint_errors_of(const Alignment& alignment) {
     for (const auto& [i, j] : alignment.steps) {
       const Vec3 student = alignment.student.position(i, joint) - alignment.student.position(i, Pelvis);
       const Vec3 coach = alignment.coach.position(j, joint) - alignment.coach.position(j, Pelvis);
-      const double distance = glm::distance(student, coach);
+      const double distance = glm::length(alignment.sight.seen(student - coach));
       const double weight = 0.05 + alignment.student.confidence(i, joint);
       sum += weight * distance;
       total += weight;

@@ -7,7 +7,7 @@
 namespace posecoach {
 
 // percent = 100 / (1 + (e / h)^1.5), e = mean joint error in leg lengths, h = kHalfScore.
-inline constexpr double kHalfScore = 0.07;
+inline constexpr double kHalfScore = 0.10;
 
 double percent_from_error(double mean_joint_error_m, double leg_length_m);
 

@@ -62,8 +62,8 @@ constexpr std::array<FeatureRule, kFeatureCount> kRules = {{
 
 // One camera guesses depth; what it can know at all it knows this much worse.
 constexpr double kOneCameraFactor = 1.6;
-constexpr double kOneCameraTurnFactor = 2.0;
-constexpr double kLeastConfidence = 0.3;
+constexpr double kOneCameraBendFactor = 2.0;
+constexpr double kLeastConfidence = 0.5;
 // What was off at address already and stays so is told at address.
 constexpr double kAlreadyAtAddress = 0.75;
 // A putt is a small movement: half of it is clear already.
@@ -81,24 +81,46 @@ struct Candidate {
   double severity = 0, rank = 0;
 };
 
-double clear_amount(const FeatureRule& rule, Viewpoint view) {
-  if (!is_one_camera(view)) return rule.clear;
-  const bool is_turn = rule.feature == Feature::HipTurn || rule.feature == Feature::ShoulderTurn;
-  return rule.clear * (is_turn ? kOneCameraTurnFactor : kOneCameraFactor);
+enum class Measure { Place, Bend, Turn };
+
+Measure measure_of(Feature feature) {
+  switch (feature) {
+    case Feature::HipTurn:
+    case Feature::ShoulderTurn:
+    case Feature::ShoulderTilt:
+      return Measure::Turn;
+    case Feature::LeadArmBend:
+    case Feature::TrailArmBend:
+    case Feature::LeadKneeBend:
+    case Feature::TrailKneeBend:
+      return Measure::Bend;
+    default:
+      return Measure::Place;
+  }
 }
 
+double clear_amount(const FeatureRule& rule, Viewpoint view) {
+  if (!is_one_camera(view)) return rule.clear;
+  return rule.clear * (measure_of(rule.feature) == Measure::Bend ? kOneCameraBendFactor : kOneCameraFactor);
+}
+
+// Turns about the vertical are depth to any one camera: too uncertain to blame the golfer for. So is the far
+// arm down the line, and how much the trail arm bends behind the body.
 bool is_visible(const FeatureRule& rule, Viewpoint view) {
+  if (is_one_camera(view) && measure_of(rule.feature) == Measure::Turn) return false;
+  if (is_one_camera(view) && rule.feature == Feature::TrailArmBend) return false;
+  if (view == Viewpoint::DownTheLine && rule.group == Group::LeadArm) return false;
   if (rule.direction == Direction::Target) return sees_target_direction(view);
   if (rule.direction == Direction::Ball) return sees_ball_direction(view);
   return true;
 }
 
-double size_of(const PartDifference& difference, const FeatureRule& rule, Viewpoint view) {
-  const bool is_place = rule.direction == Direction::Any && rule.clear < 1;
-  if (!is_place) return std::abs(difference.amount);
-  const Vec3 seen(sees_target_direction(view) ? difference.offset.x : 0, difference.offset.y,
-                  sees_ball_direction(view) ? difference.offset.z : 0);
-  return glm::length(seen);
+double size_of(const PartDifference& difference, const FeatureRule& rule, const ComparedSwings& swings,
+               const BodyAxes& axes) {
+  if (rule.direction != Direction::Any || measure_of(rule.feature) != Measure::Place)
+    return std::abs(difference.amount);
+  const Vec3& o = difference.offset;
+  return glm::length(swings.sight.seen(o.x * axes.left + o.y * axes.up + o.z * axes.front));
 }
 
 std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_view event,
@@ -114,7 +136,7 @@ std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_v
     if (!is_visible(rule, swings.view) || difference.confidence < kLeastConfidence) continue;
     if (rule.feature == Feature::HandsToBall && event != "mid_downswing") continue;
     Candidate candidate{&rule, difference, std::string(event), 0, 0};
-    candidate.severity = size_of(difference, rule, swings.view) / clear_amount(rule, swings.view);
+    candidate.severity = size_of(difference, rule, swings, axes) / clear_amount(rule, swings.view);
     if (is_putt) candidate.severity /= kPuttFactor;
     if (event == "finish" || event == "end") candidate.severity *= kFinishWeight;
     candidate.rank = candidate.severity * std::sqrt(difference.share + 0.02);

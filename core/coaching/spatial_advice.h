@@ -18,6 +18,7 @@ struct ComparedSwings {
   const JointTrack& coach;
   const SwingEvents& coach_events;
   Viewpoint view = Viewpoint::AllSides;
+  Sight sight = {};
 };
 
 // Clear differences only, the most important first: by how far beyond the ordinary it is and how much of the

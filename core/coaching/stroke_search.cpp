@@ -111,11 +111,30 @@ std::optional<StrokeStart> find_start(const HandPath& path, int moving, double l
   };
   const auto visible = passed(kVisible), near = passed(kNearStart), far = passed(kFarStart);
   StrokeStart start;
-  start.hands = before.place;
+  start.rest_first = first;
+  start.rest_last = first + (last - first) / 2;
   start.takeaway = visible.value_or(last);
   start.address = near && far ? extrapolated_start(*near, kNearStart, *far, kFarStart) : last;
   start.address = std::clamp(start.address, static_cast<double>(first), start.takeaway);
   return start;
+}
+
+std::vector<double> distance_from_rest(const HandPath& path, const StrokeStart& start) {
+  const int first = start.rest_first, last = start.rest_last;
+  const Vec3 left = rest_of(path.left_wrist, first, last).place,
+             right = rest_of(path.right_wrist, first, last).place;
+  double left_weight = 1e-3, right_weight = 1e-3;
+  for (int i = first; i <= last; ++i) {
+    left_weight += path.left_confidence[at(i)];
+    right_weight += path.right_confidence[at(i)];
+  }
+  std::vector<double> distance;
+  for (int i = 0; i < path.count(); ++i) {
+    const Vec3 l = path.left_wrist[at(i)] - left, r = path.right_wrist[at(i)] - right;
+    distance.push_back(std::sqrt((left_weight * glm::dot(l, l) + right_weight * glm::dot(r, r)) /
+                                 (left_weight + right_weight)));
+  }
+  return distance;
 }
 
 double find_rest(const HandPath& path, int moving, double largest_speed) {

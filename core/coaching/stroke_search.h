@@ -24,6 +24,7 @@ struct StrokeMoment {
 };
 struct StrokeMoments {
   double takeaway = 0;
+  bool is_rest_seen = false;  // whether the hands come to rest before the motion ends
   std::vector<StrokeMoment> moments;
 };
 
@@ -38,9 +39,12 @@ Result<StrokeMoments> find_putt(const HandPath& path, const std::vector<double>&
 // `moving`, where the stroke is certainly on its way. Nothing when the hands never rest before.
 struct StrokeStart {
   double address = 0, takeaway = 0;
-  Vec3 hands;  // where they rest
+  int rest_first = 0, rest_last = 0;  // where the hands rest
 };
 std::optional<StrokeStart> find_start(const HandPath& path, int moving, double largest_speed);
+
+// How far each wrist is from where it rested, root mean square; a wrist that was hidden there counts less.
+std::vector<double> distance_from_rest(const HandPath& path, const StrokeStart& start);
 
 // Where the hands come to rest after `moving`; the last sample when the film ends first.
 double find_rest(const HandPath& path, int moving, double largest_speed);

@@ -81,7 +81,7 @@ double SwingEvents::time_of(std::string_view name) const {
 }
 
 Result<SwingEvents> find_swing_events(const JointTrack& track, const SegmentationOptions& options) {
-  const HandPath path = make_hand_path(track);
+  const HandPath path = make_hand_path(track, options.sight);
   const auto bow = find_bow(path);
   const BodyAxes axes = body_axes(track, track.time(0), track.duration());
   SwingEvents swing;
@@ -95,6 +95,7 @@ Result<SwingEvents> find_swing_events(const JointTrack& track, const Segmentatio
           : find_putt(path, along(path.hands, target));
   if (!found) return tl::unexpected(found.error());
   swing.takeaway_s = path.time(found->takeaway);
+  swing.is_end_seen = found->is_rest_seen;
   for (const StrokeMoment& moment : found->moments) {
     const double time = path.time(moment.index);
     swing.events.push_back({moment.name, track.nearest_frame(time), time});

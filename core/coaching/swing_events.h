@@ -15,6 +15,7 @@
 #include "core/body/mirror.h"
 #include "core/coaching/analysis.h"
 #include "core/coaching/joint_track.h"
+#include "core/coaching/sight.h"
 
 namespace posecoach {
 
@@ -26,6 +27,8 @@ struct SwingEvents {
   Handedness hand = Handedness::Right;
   // When the hands have visibly left the address; the backswing is measured from here.
   double takeaway_s = 0;
+  // Whether the hands come to rest before the motion ends; if not, its last frame stands for the last event.
+  bool is_end_seen = true;
   std::vector<SwingEvent> events;  // in the order of time; sub-frame times from the motion's first frame
 
   // Asserts that there is one of this name ("takeaway" counts).
@@ -34,6 +37,7 @@ struct SwingEvents {
 
 struct SegmentationOptions {
   std::optional<Handedness> hand = {};  // detected when not given
+  Sight sight = {};
 };
 
 // Errors: Incomplete with the reason why no stroke could be found or which part of it is missing.

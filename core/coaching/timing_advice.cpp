@@ -49,6 +49,7 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
   const std::span<const Phase> phases =
       student.kind == StrokeKind::Putt ? std::span<const Phase>(kPutt) : kFullSwing;
   for (const Phase& phase : phases) {
+    if (phase.first == "impact" && !(student.is_end_seen && coach.is_end_seen)) continue;
     TimingAdvice advice;
     advice.from = phase.first;
     advice.to = phase.second;

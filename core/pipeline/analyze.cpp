@@ -28,10 +28,10 @@ Viewpoint viewpoint_of(View view) {
 }
 
 // Right where no stroke is seen: compare() says so later, and better.
-Handedness hand_of(const Motion& motion) {
+Handedness hand_of(const Motion& motion, const Sight& sight = {}) {
   const Result<JointTrack> track = JointTrack::from_motion(motion);
   if (!track) return Handedness::Right;
-  const Result<SwingEvents> events = find_swing_events(*track);
+  const Result<SwingEvents> events = find_swing_events(*track, {{}, sight});
   return events ? events->hand : Handedness::Right;
 }
 
@@ -85,6 +85,7 @@ StudentInput student_from_motion(std::string source, const Motion& motion) {
           motion,
           motion.skeleton(),
           Viewpoint::AllSides,
+          {},
           0,
           0,
           motion.frame_count(),
@@ -98,6 +99,7 @@ StudentInput student_from_film(std::string source, const PoseTrack& track, const
           lifted.motion,
           lifted.body,
           viewpoint_of(lifted.view),
+          {glm::normalize(Vec3(0, 0, 1) * lifted.camera.rotation_camera_from_world)},
           lifted.first_frame,
           to_seconds(lifted.motion.time(0) - begin),
           static_cast<int>(track.frames.size()),
@@ -108,14 +110,14 @@ StudentInput student_from_film(std::string source, const PoseTrack& track, const
 Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coach,
                              const AnalyzeOptions& options) {
   // Everything up to the drawing happens right-handed, so that a mirrored pair gives the same numbers.
-  const Handedness hand = options.hand.value_or(hand_of(student.motion));
+  const Handedness hand = options.hand.value_or(hand_of(student.motion, student.sight));
   const bool is_left = hand == Handedness::Left;
   const Motion right_coach =
       hand_of(coach.motion) == Handedness::Left ? mirrored(coach.motion) : coach.motion;
   const Result<RetargetResult> personal =
       retarget(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
   if (!personal) return fail(personal.error().code, coach.source + ": " + personal.error().message);
-  Result<Analysis> analysis = compare(student.motion, personal->motion, {hand, student.view});
+  Result<Analysis> analysis = compare(student.motion, personal->motion, {hand, student.view, student.sight});
   if (!analysis) return tl::unexpected(analysis.error());
 
   Motion drawn =

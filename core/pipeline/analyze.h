@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/coaching/analysis.h"
+#include "core/coaching/sight.h"
 #include "core/coaching/viewpoint.h"
 #include "core/motion/motion.h"
 #include "core/pipeline/lift.h"
@@ -19,6 +20,7 @@ struct StudentInput {
   Motion motion;
   Skeleton body;  // that the coach's motion is carried over to
   Viewpoint view = Viewpoint::AllSides;
+  Sight sight = {};
   // Of a film, of which `motion` may be a part: what the analysis counts in.
   int first_frame = 0;
   double first_time_s = 0;
