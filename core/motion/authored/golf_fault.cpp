@@ -83,8 +83,8 @@ std::vector<Change> changes_of(std::string_view fault) {
         {LeadElbow,
          {{"delivery", 0},
           {"impact", 0.25},
-          {"release", 0.7},
-          {"mid_follow_through", 1},
+          {"release", 0.8},
+          {"mid_follow_through", 1.2},
           {"wrap", 0.3},
           {"finish", 0}}},
         {LeadElbowOut, {{"delivery", 0}, {"release", 0.03}, {"mid_follow_through", 0.035}, {"finish", 0}}}};
