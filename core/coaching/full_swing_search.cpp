@@ -35,7 +35,8 @@ double fine_vertex(const std::vector<double>& values, int i) {
 }  // namespace
 
 Result<StrokeMoments> find_full_swing(const HandPath& path, const SwingBow& bow,
-                                      const std::vector<Vec3>& lead_arms) {
+                                      const std::vector<Vec3>& lead_arms,
+                                      const std::vector<Vec3>& trail_arms) {
   const int before = index_of_smallest(path.height, 0, bow.top);
   const double half_height = 0.5 * (path.height[at(before)] + path.height[at(bow.top)]);
   const auto half_up = crossing(path.height, bow.top, before, half_height);
@@ -63,7 +64,7 @@ Result<StrokeMoments> find_full_swing(const HandPath& path, const SwingBow& bow,
   const double toe_up = crossing(both, static_cast<int>(mid_backswing), address,
                                  hanging + kToeUpPart * (value_at(both, mid_backswing) - hanging))
                             .value_or(0.5 * (found.takeaway + mid_backswing));
-  const auto level = crossing(both, impact, bow.follow, 0);
+  const auto level = crossing(elevation_deg(trail_arms), impact, bow.follow, 0);
   const double follow_through = level ? *level
                                       : crossing(way, impact, bow.follow, 0.75 * way[at(bow.follow)])
                                             .value_or(0.5 * (impact + bow.follow));

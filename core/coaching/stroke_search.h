@@ -28,9 +28,10 @@ struct StrokeMoments {
   std::vector<StrokeMoment> moments;
 };
 
-// `lead_arms`: from between the lead shoulder and the neck to the hands.
+// `lead_arms`: from between the lead shoulder and the neck to the hands; `trail_arms` likewise.
 Result<StrokeMoments> find_full_swing(const HandPath& path, const SwingBow& bow,
-                                      const std::vector<Vec3>& lead_arms);
+                                      const std::vector<Vec3>& lead_arms,
+                                      const std::vector<Vec3>& trail_arms);
 
 // `forward` is the hands' way towards the target, metres.
 Result<StrokeMoments> find_putt(const HandPath& path, const std::vector<double>& forward);

@@ -91,7 +91,8 @@ Result<SwingEvents> find_swing_events(const JointTrack& track, const Segmentatio
   const bool is_right = swing.hand == Handedness::Right;
   const Vec3 target = is_right ? axes.left : -axes.left;
   const Result<StrokeMoments> found =
-      bow ? find_full_swing(path, *bow, is_right ? path.left_arms : path.right_arms)
+      bow ? find_full_swing(path, *bow, is_right ? path.left_arms : path.right_arms,
+                            is_right ? path.right_arms : path.left_arms)
           : find_putt(path, along(path.hands, target));
   if (!found) return tl::unexpected(found.error());
   swing.takeaway_s = path.time(found->takeaway);
