@@ -31,6 +31,7 @@ double milliseconds_of(const std::function<void()>& work);
 
 Result<void> bench_coaching(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_vision(const BenchOptions& options, std::vector<BenchRow>& rows);
+Result<void> bench_render(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_retarget(const BenchOptions& options, std::vector<BenchRow>& rows);
 
 }  // namespace posecoach

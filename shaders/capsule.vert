@@ -39,4 +39,6 @@ void main() {
   gl_Position = vec4(projection.x * position.x + projection.z * position.z,
                      projection.y * position.y + projection.w * position.z,
                      depth_range.x * position.z + depth_range.y, position.z);
+  // The outline lies behind everything, so that each of its pixels is drawn once and none under the body.
+  if (metres_per_px > 0.0) gl_Position.z = 0.99999 * gl_Position.w;
 }

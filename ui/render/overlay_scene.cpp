@@ -77,10 +77,11 @@ class Layout {
 constexpr double kMargin = 22;
 
 void add_score(Layout& layout, const OverlayStory& story, const OverlayMoment& moment) {
-  const std::string second =
-      moment.apart_m ? decimal(*moment.apart_m * 100, 1) + " cm apart now" : "not seen now";
+  const std::string second = moment.apart_m   ? decimal(*moment.apart_m * 100, 1) + " cm apart now"
+                             : moment.student ? decimal(story.mean_apart_m * 100, 1) + " cm apart overall"
+                                              : "nobody seen now";
   const double words = std::max(layout.text_width("Overall match", 17, FontWeight::Bold),
-                                layout.text_width("00.0 cm apart now", 15, FontWeight::Medium));
+                                layout.text_width("00.0 cm apart overall", 15, FontWeight::Medium));
   layout.panel({kMargin, kMargin}, {92 + words + 22, 84}, 18);
   const Vec2 centre(kMargin + 46, kMargin + 42);
   const double percent = std::clamp(story.score_percent, 0.0, 100.0);
@@ -183,6 +184,7 @@ OverlayStory make_overlay_story(const Analysis& analysis, Palette palette) {
   OverlayStory story;
   story.palette = palette;
   story.score_percent = analysis.score.percent;
+  story.mean_apart_m = analysis.score.mean_joint_error_m;
   const auto fraction = [](double value, double of) {
     return of > 0 ? std::clamp(value / of, 0.0, 1.0) : 0.0;
   };

@@ -20,6 +20,7 @@ namespace posecoach {
 struct OverlayStory {
   Palette palette = Palette::RedGreen;
   double score_percent = 0;
+  double mean_apart_m = 0;  // over the whole alignment
   std::vector<double> student_events, coach_events;
   std::vector<std::pair<double, double>> links;  // along the alignment: student, coach
 };
@@ -31,7 +32,7 @@ struct OverlayMoment {
   std::optional<double> coach_fraction;
   std::string phase;  // "Backswing"; may be empty
   double time_s = 0;
-  std::optional<double> apart_m;  // mean joint error of this moment
+  std::optional<double> apart_m;  // mean joint error of this moment, if the alignment has it
 };
 
 // A joint that the picture is about: both bodies' joints ringed and joined by a line.

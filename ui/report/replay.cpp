@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <set>
 
 #include "core/base/assert.h"
 #include "ui/render/coach_placement.h"
+#include "ui/report/stills.h"
 
 namespace posecoach {
 namespace {
@@ -87,6 +90,31 @@ double speed_at(const Motion& student, const Motion& coach, const std::vector<do
   return elapsed > 0 ? (coach_time(end) - coach_time(begin)) / elapsed : 1;
 }
 
+using Path = std::vector<std::pair<int, int>>;
+
+// Indices into the path.
+std::set<std::size_t> chosen_pairs(const Comparison& comparison, const Path& path, int most_steps) {
+  const int count = static_cast<int>(path.size()), kept = std::min(count, most_steps);
+  std::set<std::size_t> chosen;
+  for (int i = 0; i < kept; ++i)
+    chosen.insert(index(kept == 1 ? 0 : static_cast<int>(std::lround(1.0 * i * (count - 1) / (kept - 1)))));
+  const auto add = [&](int student_frame, std::optional<int> coach_frame) {
+    const auto distance = [&](const std::pair<int, int>& pair) {
+      return std::pair(std::abs(pair.first + comparison.first_frame - student_frame),
+                       coach_frame ? std::abs(pair.second - *coach_frame) : 0);
+    };
+    const auto nearest = std::min_element(
+        path.begin(), path.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    chosen.insert(static_cast<std::size_t>(nearest - path.begin()));
+  };
+  const Analysis& analysis = comparison.analysis;
+  for (const Advice& advice : analysis.advice) add(advice.student_frame, advice.coach_frame);
+  for (const SpatialAdvice& spatial : analysis.spatial) add(spatial.student_frame, spatial.coach_frame);
+  for (const StillMoment& still : still_moments(analysis)) add(still.student_frame, still.coach_frame);
+  for (const SwingEvent& event : analysis.student_events) add(event.frame, std::nullopt);
+  return chosen;
+}
+
 }  // namespace
 
 Replay make_replay(const Comparison& comparison, int most_steps) {
@@ -96,7 +124,7 @@ Replay make_replay(const Comparison& comparison, int most_steps) {
   Replay replay;
   choose_joints(comparison, replay);
 
-  std::vector<std::pair<int, int>> path;
+  Path path;
   std::vector<double> errors;
   for (std::size_t i = 0; i < comparison.analysis.path.size(); ++i) {
     const auto& [his, coachs] = comparison.analysis.path[i];
@@ -114,10 +142,7 @@ Replay make_replay(const Comparison& comparison, int most_steps) {
       origin += 0.5 * student.position(path.front().first, joint);
   origin.y = 0;
 
-  const int count = static_cast<int>(path.size()), kept = std::min(count, most_steps);
-  for (int i = 0; i < kept; ++i) {
-    const std::size_t at =
-        index(kept == 1 ? 0 : static_cast<int>(std::lround(1.0 * i * (count - 1) / (kept - 1))));
+  for (const std::size_t at : chosen_pairs(comparison, path, most_steps)) {
     const auto& [his, coachs] = path[at];
     ReplayStep step;
     step.student_frame = his + comparison.first_frame;
@@ -145,12 +170,14 @@ double Replay::speed_in_proportion(const ReplayStep& step) const {
   return is_in_proportion() ? step.speed / overall_speed : step.speed;
 }
 
-int step_at_student_frame(const Replay& replay, int student_frame) {
+int step_at(const Replay& replay, int student_frame, int coach_frame) {
   POSECOACH_ASSERT(!replay.steps.empty());
-  const auto nearest = std::min_element(
-      replay.steps.begin(), replay.steps.end(), [&](const ReplayStep& a, const ReplayStep& b) {
-        return std::abs(a.student_frame - student_frame) < std::abs(b.student_frame - student_frame);
-      });
+  const auto distance = [&](const ReplayStep& step) {
+    return std::pair(std::abs(step.student_frame - student_frame), std::abs(step.coach_frame - coach_frame));
+  };
+  const auto nearest =
+      std::min_element(replay.steps.begin(), replay.steps.end(),
+                       [&](const ReplayStep& a, const ReplayStep& b) { return distance(a) < distance(b); });
   return static_cast<int>(nearest - replay.steps.begin());
 }
 

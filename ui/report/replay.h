@@ -30,10 +30,11 @@ struct Replay {
   bool is_in_proportion() const;
 };
 
-// Takes every pair of the path, or `most_steps` of them spread evenly.
+// Takes every pair of the path, or about `most_steps` of them spread evenly, among them those that the
+// analysis speaks of: advice, positions, events, stills.
 Replay make_replay(const Comparison& comparison, int most_steps);
 
-// Index of the step nearest to a frame of the student. Asserts that there are steps.
-int step_at_student_frame(const Replay& replay, int student_frame);
+// Index of the step nearest to a pair of frames, the student's first. Asserts that there are steps.
+int step_at(const Replay& replay, int student_frame, int coach_frame);
 
 }  // namespace posecoach

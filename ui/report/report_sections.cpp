@@ -20,10 +20,10 @@ std::string section(std::string_view id, std::string_view title, const std::stri
 }
 
 // Shows the moment above when the page can; a plain word on paper.
-std::string moment_button(const Replay& replay, int student_frame) {
+std::string moment_button(const Replay& replay, int student_frame, int coach_frame) {
   if (replay.steps.empty()) return {};
   return "<button type=\"button\" class=\"moment\" data-step=\"" +
-         std::to_string(step_at_student_frame(replay, student_frame)) + "\">Show the moment</button>";
+         std::to_string(step_at(replay, student_frame, coach_frame)) + "\">Show the moment</button>";
 }
 
 std::string centimetres(double metres, int digits = 1) {
@@ -89,8 +89,9 @@ std::string summary_section(const Analysis& analysis, const Replay& replay) {
   for (std::size_t i = 0; i < analysis.advice.size(); ++i) {
     const Advice& advice = analysis.advice[i];
     const std::string kind = "<span class=\"chip\">" + std::string(kind_word(advice.kind)) + "</span>";
-    const std::string button =
-        advice.kind == AdviceKind::None ? "" : moment_button(replay, advice.student_frame);
+    const std::string button = advice.kind == AdviceKind::None
+                                   ? ""
+                                   : moment_button(replay, advice.student_frame, advice.coach_frame);
     if (i == 0)
       main = "<p class=\"eyebrow\">" +
              std::string(advice.kind == AdviceKind::None ? "The verdict" : "The one thing to change") +
@@ -124,8 +125,8 @@ std::string pictures_section(const Analysis& analysis, std::span<const ReportPic
             "</b><span class=\"quiet\">";
     if (apart >= 0) body += centimetres(apart) + " a joint, ";
     body += "your frame " + std::to_string(picture.student_frame) + ", coach’s " +
-            std::to_string(picture.coach_frame) + "</span>" + moment_button(replay, picture.student_frame) +
-            "</figcaption></figure>";
+            std::to_string(picture.coach_frame) + "</span>" +
+            moment_button(replay, picture.student_frame, picture.coach_frame) + "</figcaption></figure>";
   }
   if (!body.empty()) body = "<div class=\"pictures\">" + body + "</div>";
   return section("pictures", "See the difference", body,
@@ -187,7 +188,7 @@ std::string spatial_section(const Analysis& analysis, const Replay& replay) {
     rows += "<tr><th scope=\"row\">" + escape(title_from_name(spatial.joint)) + "</th>" +
             cell("At", escape(title_from_name(spatial.event))) +
             cell("Off by", centimetres(spatial.distance_m)) + "<td class=\"wide\">" + escape(spatial.advice) +
-            " " + moment_button(replay, spatial.student_frame) + "</td></tr>";
+            " " + moment_button(replay, spatial.student_frame, spatial.coach_frame) + "</td></tr>";
   if (!rows.empty())
     rows =
         "<div class=\"scroll\"><table><thead><tr><th>Joint</th><th>At</th><th>Off by</th><th "

@@ -31,7 +31,7 @@ std::vector<Column> columns(const Analysis& analysis, const Replay& replay, cons
   std::vector<Column> columns;
   const int last = static_cast<int>(replay.steps.size()) - 1;
   for (const SwingEvent& event : analysis.student_events) {
-    const int step = step_at_student_frame(replay, event.frame);
+    const int step = step_at(replay, event.frame, 0);
     if (event.frame < replay.steps.front().student_frame || event.frame > replay.steps.back().student_frame)
       continue;
     if (!columns.empty() && columns.back().step >= step) continue;

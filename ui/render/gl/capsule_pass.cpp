@@ -51,7 +51,7 @@ std::size_t mesh_for(const Instance& instance, double focal_px) {
     return static_cast<double>(end[3]) * focal_px / std::max(static_cast<double>(end[2]), kNear_m);
   };
   const double radius = std::max(radius_px(instance.from), radius_px(instance.to));
-  return radius < 7 ? 0 : radius < 20 ? 1 : 2;
+  return radius < 7 ? 0 : radius < 18 ? 1 : radius < 50 ? 2 : 3;
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ Result<CapsulePass> CapsulePass::make() {
 CapsulePass::CapsulePass(Program program)
     : program_(std::move(program)),
       instances_(make_buffer()),
-      meshes_{make_mesh(10, 4), make_mesh(16, 5), make_mesh(36, 12)} {}
+      meshes_{make_mesh(10, 3), make_mesh(16, 5), make_mesh(26, 8), make_mesh(48, 16)} {}
 
 CapsulePass::Mesh CapsulePass::make_mesh(int segments, int rings) {
   std::vector<Vertex> vertices;
@@ -138,20 +138,19 @@ void CapsulePass::draw(const Figure& figure, const View& view) {
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   glFrontFace(GL_CW);
-  if (figure.outline.alpha > 0 && figure.outline_px > 0) {
-    const Colour& c = figure.outline;
-    glDisable(GL_DEPTH_TEST);
-    glUniform4f(program_.uniform("outline"), c.red * c.alpha, c.green * c.alpha, c.blue * c.alpha, c.alpha);
-    glUniform1f(program_.uniform("metres_per_px"),
-                static_cast<float>(figure.outline_px / view.camera.focal_px));
-    draw_meshes();
-  }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   glUniform4f(program_.uniform("outline"), 0, 0, 0, -1);
   glUniform1f(program_.uniform("metres_per_px"), 0);
   draw_meshes();
+  if (figure.outline.alpha > 0 && figure.outline_px > 0) {
+    const Colour& c = figure.outline;
+    glUniform4f(program_.uniform("outline"), c.red * c.alpha, c.green * c.alpha, c.blue * c.alpha, c.alpha);
+    glUniform1f(program_.uniform("metres_per_px"),
+                static_cast<float>(figure.outline_px / view.camera.focal_px));
+    draw_meshes();
+  }
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
 }

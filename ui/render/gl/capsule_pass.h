@@ -30,7 +30,7 @@ class CapsulePass {
   // Draws each mesh with its share of the uploaded instances.
   void draw_meshes() const;
 
-  static constexpr std::size_t kMeshes = 3;
+  static constexpr std::size_t kMeshes = 4;
   Program program_;
   Handle instances_;
   std::array<Mesh, kMeshes> meshes_;  // from coarse to fine
