@@ -48,7 +48,7 @@ constexpr std::array<FeatureRule, kFeatureCount> kRules = {{
     {Feature::HeadToBall, Group::Head, "head", Direction::Ball, 0.055},
     {Feature::HipTurn, Group::HipTurn, "left_hip", Direction::Any, 12},
     {Feature::ShoulderTurn, Group::Shoulders, "left_shoulder", Direction::Any, 12},
-    {Feature::ShoulderTilt, Group::Shoulders, "left_shoulder", Direction::Any, 10},
+    {Feature::ShoulderTilt, Group::Shoulders, "left_shoulder", Direction::Any, 7.5},
     {Feature::LeadElbowPlace, Group::LeadArm, "left_elbow", Direction::Any, 0.06},
     {Feature::TrailElbowPlace, Group::TrailArm, "right_elbow", Direction::Any, 0.06},
     {Feature::LeadArmBend, Group::LeadArm, "left_elbow", Direction::Any, 14},
@@ -68,7 +68,7 @@ constexpr double kLeastConfidence = 0.5;
 constexpr double kAlreadyAtAddress = 0.75;
 // A putt is a small movement: half of it is clear already.
 constexpr double kPuttFactor = 0.5;
-constexpr double kExplains = 0.7;
+constexpr double kExplains = 0.8;
 // Next to something this much worse a difference is told only when it is this clear by itself.
 constexpr double kByProduct = 0.7, kClearByItself = 2;
 // The finish is a result, not a cause.
@@ -168,6 +168,13 @@ bool is_explained(const Candidate& candidate, const std::map<Group, Candidate>& 
       if (const auto found = by_group.find(arm);
           found != by_group.end() && found->second.severity > kExplains * candidate.severity)
         return true;
+  }
+  // Both hands are on the club: when the lead arm folds the trail arm has to.
+  if (candidate.rule->group == Group::TrailArm) {
+    const auto lead = by_group.find(Group::LeadArm);
+    if (lead != by_group.end() && lead->second.event == candidate.event &&
+        lead->second.severity > kExplains * candidate.severity)
+      return true;
   }
   if (candidate.rule->group == Group::Head) {
     for (const auto& [feature, all] : moments)

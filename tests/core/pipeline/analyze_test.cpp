@@ -1,0 +1,129 @@
+#include "core/pipeline/analyze.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "core/body/standard_body.h"
+#include "core/coaching/compare.h"
+#include "core/motion/authored/golf_fault.h"
+#include "core/motion/bundled_motion.h"
+
+namespace posecoach {
+namespace {
+
+Motion swing_on(const BodyProportions& body, double fps, Handedness hand = Handedness::Right,
+                const GolfScript& script = bundled_script("swing").value()) {
+  return make_authored_motion(script, make_standard_body(body), fps, hand).value().motion;
+}
+
+AnalyzedPair analyzed(const Motion& student, const Motion& coach, const AnalyzeOptions& options = {}) {
+  Result<AnalyzedPair> pair = analyze(student_from_motion("student", student), {"coach", coach}, options);
+  EXPECT_TRUE(pair.has_value()) << (pair ? "" : pair.error().message);
+  return *std::move(pair);
+}
+
+// The poses of one golfer carried over to other bones: the same motion, another body.
+Motion same_motion_on(const Motion& coach, const BodyProportions& body) {
+  return retarget(coach, make_standard_body(body)).value().motion;
+}
+
+TEST(Analyze, the_same_motion_scores_alike_on_every_body_and_worse_when_not_personalised) {
+  const Motion coach = swing_on({.height_m = 1.8}, 120);
+  const std::vector<BodyProportions> bodies = {{.height_m = 1.5},
+                                               {.height_m = 2.0},
+                                               {.height_m = 1.75, .arms = 1.25},
+                                               {.height_m = 1.75, .arms = 0.8, .thighs = 1.2},
+                                               {.height_m = 1.6, .torso = 1.2, .shins = 0.8}};
+  for (const BodyProportions& body : bodies) {
+    const Motion student = same_motion_on(coach, body);
+    AnalyzeOptions plain;
+    plain.retarget.contacts = Contacts::Off;
+    EXPECT_GE(analyzed(student, coach, plain).analysis.score.percent, 98) << body.height_m << " m";
+    const Result<Analysis> as_it_is = compare(student, coach);
+    ASSERT_TRUE(as_it_is);
+    EXPECT_LT(as_it_is->score.percent, 95) << body.height_m << " m";
+  }
+}
+
+TEST(Analyze, fills_in_sources_method_and_bone_lengths) {
+  const Motion coach = swing_on({.height_m = 1.8}, 60), student = swing_on({.height_m = 1.65}, 30);
+  const Analysis analysis = analyzed(student, coach).analysis;
+  EXPECT_EQ(analysis.coach.source, "coach");
+  EXPECT_EQ(analysis.student.source, "student");
+  EXPECT_EQ(analysis.retarget_method, "rotation");
+  EXPECT_TRUE(analysis.contacts);
+  EXPECT_LT(analysis.bone_length_error_max, 1e-3);
+  EXPECT_EQ(analysis.student.frames, student.frame_count());
+}
+
+TEST(Analyze, counts_frames_and_times_as_the_film_does) {
+  const Motion coach = swing_on({}, 120), student = swing_on({}, 30);
+  StudentInput film = student_from_motion("film", student);
+  film.first_frame = 12;
+  film.first_time_s = 0.4;
+  const Result<AnalyzedPair> later = analyze(film, {"coach", coach});
+  ASSERT_TRUE(later);
+  const Analysis plain = analyzed(student, coach).analysis;
+  EXPECT_EQ(later->analysis.path.front().first, plain.path.front().first + 12);
+  EXPECT_EQ(later->analysis.student_events[3].frame, plain.student_events[3].frame + 12);
+  EXPECT_NEAR(later->analysis.student_events[3].time_s, plain.student_events[3].time_s + 0.4, 1e-9);
+}
+
+TEST(Analyze, places_the_coach_on_the_students_feet_facing_as_he_does) {
+  const Motion coach = swing_on({.height_m = 1.85}, 120);
+  const Motion student = swing_on({.height_m = 1.7}, 30);
+  // Elsewhere on the floor and turned.
+  std::vector<Vec3> positions;
+  for (int frame = 0; frame < student.frame_count(); ++frame)
+    for (const Vec3& p : student.positions(frame)) positions.push_back(Vec3(p.z, p.y, -p.x) + Vec3(3, 0, -2));
+  const Motion elsewhere =
+      Motion::from_positions(student.skeleton(), {student.times().begin(), student.times().end()}, positions)
+          .value();
+  const AnalyzedPair pair = analyzed(elsewhere, coach);
+  const auto& [student_frame, coach_frame] = pair.analysis.path.front();
+  for (const HumanoidJoint joint :
+       {HumanoidJoint::LeftAnkle, HumanoidJoint::RightAnkle, HumanoidJoint::Pelvis}) {
+    const Vec3 his = elsewhere.position(student_frame, elsewhere.skeleton().find(joint));
+    const Vec3 coachs = pair.coach.position(coach_frame, pair.coach.skeleton().find(joint));
+    EXPECT_LT(glm::distance(his, coachs), 0.06) << to_string(joint);
+  }
+}
+
+TEST(Analyze, gives_a_left_hander_the_numbers_of_his_mirror_image) {
+  GolfScript script = bundled_script("swing").value();
+  ASSERT_TRUE(apply_fault(script, choose_fault("sway").value()));
+  const Motion coach = swing_on({.height_m = 1.8}, 120);
+  const Motion right = swing_on({.height_m = 1.65}, 30, Handedness::Right, script), left = mirrored(right);
+  const AnalyzedPair of_right = analyzed(right, coach), of_left = analyzed(left, coach);
+  EXPECT_EQ(of_left.analysis.student.hand, Handedness::Left);
+  EXPECT_NEAR(of_left.analysis.score.raw, of_right.analysis.score.raw, 1e-9);
+  EXPECT_EQ(of_left.analysis.path, of_right.analysis.path);
+  ASSERT_EQ(of_left.analysis.advice.size(), of_right.analysis.advice.size());
+  for (std::size_t k = 0; k < of_left.analysis.advice.size(); ++k)
+    EXPECT_EQ(of_left.analysis.advice[k].text, of_right.analysis.advice[k].text);
+  const Vec3 drawn = of_left.coach.position(10, 3), mirror = mirrored(of_right.coach).position(10, 3);
+  EXPECT_LT(glm::distance(drawn, mirror), 1e-6);
+}
+
+TEST(Analyze, names_a_fault_on_a_body_that_is_not_the_coachs) {
+  GolfScript script = bundled_script("swing").value();
+  ASSERT_TRUE(apply_fault(script, choose_fault("sway").value()));
+  const Motion student = swing_on({.height_m = 1.62, .arms = 1.1}, 30, Handedness::Right, script);
+  const Analysis analysis = analyzed(student, swing_on({.height_m = 1.8}, 120)).analysis;
+  EXPECT_NE(analysis.advice[0].text.find("At the top, your hips"), std::string::npos)
+      << analysis.advice[0].text;
+}
+
+TEST(Analyze, tells_whose_joints_are_missing) {
+  const Skeleton point = Skeleton::make({{"pelvis", kNoJoint, {}, HumanoidJoint::Pelvis}}).value();
+  const Motion still = Motion::from_positions(point, {MediaTime{}}, {{}}).value();
+  const Result<AnalyzedPair> pair =
+      analyze(student_from_motion("me.bvh", swing_on({}, 30)), {"point.bvh", still});
+  ASSERT_FALSE(pair);
+  EXPECT_EQ(pair.error().code, ErrorCode::Incomplete);
+  EXPECT_NE(pair.error().message.find("point.bvh"), std::string::npos) << pair.error().message;
+}
+
+}  // namespace
+}  // namespace posecoach
