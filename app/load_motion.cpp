@@ -39,7 +39,11 @@ Result<SourceKind> kind_of(const std::string& source) {
 Result<PoseTrack> see_film(const std::string& source, const LoadOptions& options) {
   auto film = open_source(source);
   if (!film) return tl::unexpected(film.error());
-  auto tracker = PoseTracker::make(options.pose);
+  // A recorded film is mended and smoothed with what comes after each frame too (lift); the live filter's lag
+  // would only shift the swing's events.
+  PoseTrackerOptions pose = options.pose;
+  pose.smoothing = Smoothing::Off;
+  auto tracker = PoseTracker::make(pose);
   if (!tracker) return tl::unexpected(tracker.error());
   return track_poses(**film, **tracker, options.progress);
 }

@@ -41,6 +41,12 @@ void add_pose_command(CLI::App& cli, Action& action) {
       ->required()
       ->type_name("FILE");
   const auto options = add_pose_options(*command);
+  command->add_flag_callback(
+      "--detect-every-frame", [options] { options->search = Search::InEveryFrame; },
+      "Look for the person anew in every frame, without tracking and smoothing");
+  command->add_flag_callback(
+      "--no-smoothing", [options] { options->smoothing = Smoothing::Off; },
+      "Leave the joints as the network gives them");
   command->callback([&action, input, output, options] {
     action = [input, output, options] { return write_poses(*input, *output, *options); };
   });

@@ -16,7 +16,7 @@ const char* to_string(PoseModel model) {
   return "";
 }
 
-std::shared_ptr<const PoseTrackerOptions> add_pose_options(CLI::App& command) {
+std::shared_ptr<PoseTrackerOptions> add_pose_options(CLI::App& command) {
   auto options = std::make_shared<PoseTrackerOptions>();
   const auto set_model = [options](const std::string& name) {
     for (const PoseModel model : {PoseModel::Lite, PoseModel::Full, PoseModel::Heavy})
@@ -31,12 +31,6 @@ std::shared_ptr<const PoseTrackerOptions> add_pose_options(CLI::App& command) {
           "--models", [options](const std::string& folder) { options->models = folder; },
           "Folder of the pose networks (default: $POSECOACH_MODELS, then where scripts/setup puts them)")
       ->type_name("DIR");
-  command.add_flag_callback(
-      "--detect-every-frame", [options] { options->search = Search::InEveryFrame; },
-      "Look for the person anew in every frame, without tracking and smoothing");
-  command.add_flag_callback(
-      "--no-smoothing", [options] { options->smoothing = Smoothing::Off; },
-      "Leave the joints as the network gives them");
   return options;
 }
 

@@ -11,9 +11,8 @@ class App;
 
 namespace posecoach {
 
-// Adds --model, --models, --detect-every-frame and --no-smoothing. What they say is in the result once the
-// command line was parsed.
-std::shared_ptr<const PoseTrackerOptions> add_pose_options(CLI::App& command);
+// Adds --model and --models. What they say is in the result once the command line was parsed.
+std::shared_ptr<PoseTrackerOptions> add_pose_options(CLI::App& command);
 
 const char* to_string(PoseModel model);
 

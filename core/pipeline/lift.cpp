@@ -9,6 +9,7 @@
 #include "core/body/landmark_body.h"
 #include "core/pipeline/camera_fit.h"
 #include "core/pipeline/stance.h"
+#include "core/pipeline/track_repair.h"
 
 namespace posecoach {
 namespace {
@@ -39,6 +40,7 @@ Result<Sightings> sightings_of(const PoseTrack& track) {
     return fail(ErrorCode::Incomplete, track.source + ": a person is seen in only " +
                                            std::to_string(sightings.frames.size()) +
                                            " frames; a motion needs at least 3");
+  repair_people(sightings.times_s, sightings.people);
   return sightings;
 }
 
