@@ -49,6 +49,7 @@ struct GolferFigure::Body {
       head;  // origins: middle of hips, ..., middle of shoulders, middle of skull
   Vec3 neck;
   std::array<Vec3, 2> shoulder, elbow, wrist, hip, knee, ankle;
+  std::array<Vec3, 2> shin_forward;
   std::array<Part, 2> hand, foot;  // foot: origin under the ankle on the sole
 };
 
@@ -89,6 +90,8 @@ GolferFigure::Body GolferFigure::place(const Posed& posed) const {
   body.ankle = {position(LeftAnkle), position(RightAnkle)};
   body.hand[0] = {body.wrist[0], posed.rotations[index(LeftWrist)]};
   body.hand[1] = {body.wrist[1], posed.rotations[index(RightWrist)]};
+  for (const std::size_t side : {0U, 1U})
+    body.shin_forward[side] = posed.rotations[index(side == 0 ? LeftKnee : RightKnee)] * Vec3(0, 0, 1);
   const std::array<Quat, 2> feet = {posed.rotations[index(LeftAnkle)], posed.rotations[index(RightAnkle)]};
   for (const std::size_t side : {0U, 1U})
     body.foot[side] = {body.ankle[side] + feet[side] * sole_[side], feet[side]};
@@ -133,23 +136,23 @@ ConeScene GolferFigure::scene(const Posed& posed) const {
 
   // Head: skull, jaw, hair, face. Offsets from the middle of the skull, in metres for a stature of 1.80 m.
   const auto face = [&](double x, double y, double z) { return body.head.at(x * s, y * s, z * s); };
-  cone(face(0, 0.022, -0.010), 0.082, face(0, 0.010, 0.018), 0.077, kSkin);
-  cone(face(0, -0.020, 0.026), 0.066, face(0, -0.084, 0.046), 0.036, kSkin);
-  cone(face(-0.022, -0.074, 0.040), 0.034, face(0.022, -0.074, 0.040), 0.034, kSkin);
-  cone(face(0, 0.036, -0.026), 0.086, face(0, -0.010, -0.038), 0.076, kHair);
-  cone(face(-0.022, 0.066, -0.006), 0.060, face(0.022, 0.066, -0.006), 0.060, kHair);
-  cone(face(0, 0.078, -0.010), 0.056, face(0, 0.080, 0.020), 0.032, kHair);
-  cone(face(-0.034, 0.076, 0.028), 0.026, face(0.034, 0.076, 0.028), 0.026, kHair);
+  cone(face(0, 0.022, -0.012), 0.078, face(0, 0.014, 0.020), 0.073, kSkin);
+  cone(face(0, -0.012, 0.026), 0.062, face(0, -0.074, 0.046), 0.035, kSkin);
+  cone(face(-0.020, -0.064, 0.040), 0.034, face(0.020, -0.064, 0.040), 0.034, kSkin);
+  cone(face(0, 0.036, -0.026), 0.083, face(0, -0.006, -0.036), 0.073, kHair);
+  cone(face(-0.020, 0.064, -0.006), 0.058, face(0.020, 0.064, -0.006), 0.058, kHair);
+  cone(face(0, 0.076, -0.010), 0.054, face(0, 0.078, 0.018), 0.034, kHair);
+  cone(face(-0.032, 0.074, 0.026), 0.026, face(0.032, 0.074, 0.026), 0.026, kHair);
   for (const double side : {1.0, -1.0}) {
-    cone(face(side * 0.026, 0.004, 0.083), 0.0115, face(side * 0.038, 0.004, 0.081), 0.0105, kEyeWhite);
-    ball(face(side * 0.032, 0.003, 0.0875), 0.0085, kPupil);
-    cone(face(side * 0.015, 0.026, 0.091), 0.0045, face(side * 0.047, 0.027, 0.080), 0.0040, kBrow);
-    cone(face(side * 0.081, 0.012, -0.004), 0.018, face(side * 0.080, -0.026, 0.002), 0.012, kSkin);
-    ball(face(side * 0.090, -0.002, 0.004), 0.009, kEar);
+    cone(face(side * 0.026, 0.012, 0.083), 0.0115, face(side * 0.037, 0.012, 0.081), 0.0105, kEyeWhite);
+    ball(face(side * 0.031, 0.011, 0.0875), 0.0085, kPupil);
+    cone(face(side * 0.015, 0.034, 0.089), 0.0045, face(side * 0.046, 0.035, 0.079), 0.0040, kBrow);
+    cone(face(side * 0.076, 0.016, -0.004), 0.017, face(side * 0.075, -0.020, 0.002), 0.012, kSkin);
+    ball(face(side * 0.084, 0.002, 0.004), 0.009, kEar);
   }
-  cone(face(0, 0.006, 0.092), 0.010, face(0, -0.028, 0.108), 0.0150, kSkin);
-  for (const double side : {1.0, -1.0}) ball(face(side * 0.010, -0.036, 0.106), 0.0075, kSkin);
-  cone(face(-0.022, -0.058, 0.083), 0.0065, face(0.022, -0.058, 0.083), 0.0065, kLips);
+  cone(face(0, 0.014, 0.091), 0.010, face(0, -0.018, 0.106), 0.0150, kSkin);
+  for (const double side : {1.0, -1.0}) ball(face(side * 0.010, -0.026, 0.104), 0.0075, kSkin);
+  cone(face(-0.022, -0.047, 0.083), 0.0065, face(0.022, -0.047, 0.083), 0.0065, kLips);
   cone(body.shoulders.at(0, 0.015 * s, -0.010 * s), 0.060, face(0, -0.060, -0.012), 0.054, kSkin);
   cone(body.shoulders.at(-0.020 * s, 0.030 * s, 0.000 * s), 0.050,
        body.shoulders.at(0.020 * s, 0.030 * s, 0.000 * s), 0.050, kCollar);
@@ -190,7 +193,9 @@ ConeScene GolferFigure::scene(const Posed& posed) const {
     // Legs.
     cone(body.hip[i], 0.092, mix(body.hip[i], body.knee[i], 0.5), 0.076, kTrousers);
     cone(mix(body.hip[i], body.knee[i], 0.5), 0.076, body.knee[i], 0.058, kTrousers);
-    cone(body.knee[i], 0.058, mix(body.knee[i], body.ankle[i], 0.35), 0.058, kTrousers);
+    const Vec3 kneecap = body.knee[i] + body.shin_forward[i] * (0.014 * s);
+    cone(mix(kneecap, body.hip[i], 0.06), 0.053, kneecap, 0.050, kTrousers);
+    cone(body.knee[i], 0.056, mix(body.knee[i], body.ankle[i], 0.35), 0.058, kTrousers);
     cone(mix(body.knee[i], body.ankle[i], 0.35), 0.058, mix(body.knee[i], body.ankle[i], 0.96), 0.044,
          kTrousers);
     // Shoes: heel, upper, toes, sole.
@@ -249,7 +254,7 @@ LandmarkArray<Vec3> GolferFigure::landmarks(const Posed& posed) const {
   const double s = size_;
   const auto face = [&](double x, double y, double z) { return body.head.at(x * s, y * s, z * s); };
   LandmarkArray<Vec3> points{};
-  points[Nose] = face(0, -0.028, 0.120);
+  points[Nose] = face(0, -0.018, 0.120);
   const std::array<std::array<Landmark, 5>, 2> faces = {
       {{LeftEyeInner, LeftEye, LeftEyeOuter, LeftEar, MouthLeft},
        {RightEyeInner, RightEye, RightEyeOuter, RightEar, MouthRight}}};
@@ -261,11 +266,11 @@ LandmarkArray<Vec3> GolferFigure::landmarks(const Posed& posed) const {
         RightFootIndex}}};
   for (const std::size_t i : {0U, 1U}) {
     const double side = i == 0 ? 1.0 : -1.0;
-    points[faces[i][0]] = face(side * 0.019, 0.004, 0.090);
-    points[faces[i][1]] = face(side * 0.032, 0.004, 0.092);
-    points[faces[i][2]] = face(side * 0.045, 0.004, 0.084);
-    points[faces[i][3]] = face(side * 0.088, -0.006, -0.002);
-    points[faces[i][4]] = face(side * 0.024, -0.058, 0.087);
+    points[faces[i][0]] = face(side * 0.019, 0.012, 0.090);
+    points[faces[i][1]] = face(side * 0.031, 0.012, 0.092);
+    points[faces[i][2]] = face(side * 0.044, 0.012, 0.084);
+    points[faces[i][3]] = face(side * 0.083, 0.000, 0.002);
+    points[faces[i][4]] = face(side * 0.024, -0.047, 0.087);
     const auto hand = [&](double along, double up, double thumb) {
       return body.hand[i].at(side * along * s, up * s, thumb * s);
     };

@@ -2,153 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <optional>
 
+#include "capture/cone_outline.h"
+#include "capture/cone_ray.h"
 #include "core/base/assert.h"
 
 namespace posecoach {
 namespace {
 
-using Float3 = glm::vec3;
-
-// Results of the mathematics library differ in their last bits from machine to machine; rounded to a multiple
-// of a small power of two they do not.
-float snapped(double value) {
-  return static_cast<float>(std::nearbyint(value * 1048576.0) / 1048576.0);
-}
-Float3 snapped(const Vec3& v) {
-  return {snapped(v.x), snapped(v.y), snapped(v.z)};
-}
-
-struct View {
-  Float3 right, down, forward, eye;  // the camera's axes in the world
-  float focal_px, pixel_size, centre_x, centre_y;
-
-  explicit View(const PinholeCamera& camera)
-      : right(snapped(glm::transpose(camera.rotation_camera_from_world)[0])),
-        down(snapped(glm::transpose(camera.rotation_camera_from_world)[1])),
-        forward(snapped(glm::transpose(camera.rotation_camera_from_world)[2])),
-        eye(snapped(camera.position())),
-        focal_px(snapped(camera.focal_px)),
-        pixel_size(1.0F / focal_px),
-        centre_x(snapped(camera.centre_px.x)),
-        centre_y(snapped(camera.centre_px.y)) {}
-
-  // In the camera's axes, towards the image point, one metre deep: distances along it are depths.
-  Float3 ray(float x_px, float y_px) const {
-    return {(x_px - centre_x) * pixel_size, (y_px - centre_y) * pixel_size, 1.0F};
-  }
-  Float3 to_camera(const Float3& world) const {
-    const Float3 v = world - eye;
-    return {glm::dot(v, right), glm::dot(v, down), glm::dot(v, forward)};
-  }
-  Float3 direction_to_world(const Float3& v) const { return right * v.x + down * v.y + forward * v.z; }
-};
-
-constexpr float kFar = 1e9F;
-
-// A cone in the camera's axes, where the eye is the origin, with what every ray needs worked out before.
-//
-// With p = t d - a for a ray d, h = p.w along the axis w: the side of the cone are the points whose distance
-// from the axis, times c, is begin_radius - s h, where s is the sine of the half opening angle and c its
-// cosine.
-struct PreparedCone {
-  enum class Part : std::uint8_t { Begin, Side, End };
-
-  Float3 begin, end, axis;
-  float length, begin_radius, end_radius;
-  float sine, cosine;
-  float side_constant, begin_constant, end_constant;
-  float begin_along;  // -begin . axis
-  Colour colour;
-
-  PreparedCone(const RoundCone& cone, const View& view)
-      : begin(view.to_camera(snapped(cone.begin))),
-        end(view.to_camera(snapped(cone.end))),
-        begin_radius(snapped(cone.begin_radius)),
-        end_radius(snapped(cone.end_radius)),
-        colour(cone.colour) {
-    const Float3 along = end - begin;
-    length = std::sqrt(glm::dot(along, along));
-    if (length <= std::abs(begin_radius - end_radius) + 1e-6F) {  // one ball holds the other
-      if (begin_radius < end_radius) begin = end;
-      begin_radius = end_radius = std::max(begin_radius, end_radius);
-      end = begin;
-      length = 0;
-      axis = Float3(0, 1, 0);
-    } else {
-      axis = along / length;
-    }
-    sine = length > 0 ? (begin_radius - end_radius) / length : 0.0F;
-    cosine = std::sqrt(1.0F - sine * sine);
-    begin_along = -glm::dot(begin, axis);
-    begin_constant = glm::dot(begin, begin) - begin_radius * begin_radius;
-    end_constant = glm::dot(end, end) - end_radius * end_radius;
-    side_constant = cosine * cosine * glm::dot(begin, begin) - begin_along * begin_along +
-                    2 * begin_radius * sine * begin_along - begin_radius * begin_radius;
-  }
-
-  // Where the ray enters the cone, if it does.
-  struct Touch {
-    float depth = 0;
-    Part part = Part::Side;
-    float along = 0;
-  };
-  std::optional<Touch> touch(const Float3& ray) const {
-    const float squared = glm::dot(ray, ray);
-    const float begin_on_ray = glm::dot(begin, ray);
-    Touch nearest{kFar, Part::Side, 0};
-    if (length > 0) {
-      const float axis_on_ray = glm::dot(axis, ray);
-      const float a = cosine * cosine * squared - axis_on_ray * axis_on_ray;
-      const float b =
-          begin_radius * sine * axis_on_ray - cosine * cosine * begin_on_ray - begin_along * axis_on_ray;
-      const float discriminant = b * b - a * side_constant;
-      if (discriminant < 0 && a > 0) return std::nullopt;  // misses even the endless cone
-      if (discriminant >= 0 && std::abs(a) > 1e-9F) {
-        const float root = std::sqrt(discriminant);
-        const Touch first = side((-b - root) / a, axis_on_ray), second = side((-b + root) / a, axis_on_ray);
-        // Where the ray enters the endless cone it enters this one, if it is there at all.
-        if (a > 0 && first.depth < kFar) return first;
-        nearest = first.depth < second.depth ? first : second;
-      }
-    }
-    const Touch begin_ball{ball(squared, begin_on_ray, begin_constant), Part::Begin, 0};
-    if (begin_ball.depth < nearest.depth) nearest = begin_ball;
-    if (length > 0) {
-      const Touch end_ball{ball(squared, glm::dot(end, ray), end_constant), Part::End, 0};
-      if (end_ball.depth < nearest.depth) nearest = end_ball;
-    }
-    return nearest.depth < kFar ? std::optional(nearest) : std::nullopt;
-  }
-
-  Float3 normal(const Float3& ray, const Touch& touch) const {
-    const Float3 point = ray * touch.depth;
-    if (touch.part == Part::Begin) return (point - begin) / begin_radius;
-    if (touch.part == Part::End) return (point - end) / end_radius;
-    const Float3 radial = point - begin - axis * touch.along;
-    const float radius = std::sqrt(glm::dot(radial, radial));
-    return radius < 1e-9F ? axis * sine : radial * (cosine / radius) + axis * sine;
-  }
-
- private:
-  Touch side(float depth, float axis_on_ray) const {
-    const float along = begin_along + depth * axis_on_ray;
-    const bool is_here = depth > 0 && along >= begin_radius * sine && along <= length + end_radius * sine;
-    return {is_here ? depth : kFar, Part::Side, along};
-  }
-  static float ball(float squared, float centre_on_ray, float constant) {
-    const float discriminant = centre_on_ray * centre_on_ray - squared * constant;
-    if (discriminant < 0 || centre_on_ray <= 0) return kFar;
-    return (centre_on_ray - std::sqrt(discriminant)) / squared;
-  }
-};
-
-std::uint8_t to_byte(float value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
-}
+using namespace cone_ray;
 
 // Daylight from above, a little from the left behind the camera.
 Colour shaded(const Colour& colour, const Float3& normal_world, const Float3& light) {
@@ -157,77 +19,6 @@ Colour shaded(const Colour& colour, const Float3& normal_world, const Float3& li
   const float brightness = 0.50F + 0.18F * sky + 0.42F * sun;
   return {colour[0] * brightness, colour[1] * brightness, colour[2] * brightness};
 }
-
-struct PixelRange {
-  int begin = 0, end = 0;
-  void include(const PixelRange& other) {
-    if (other.begin >= other.end) return;
-    *this = begin >= end ? other : PixelRange{std::min(begin, other.begin), std::max(end, other.end)};
-  }
-};
-
-// What of a row's pixels a cone's outline can touch. The outline lies inside the hull of two discs, whose
-// radius and centre change linearly between them.
-class Outline {
- public:
-  Outline(const PreparedCone& cone, const View& view) {
-    const auto disc = [&](const Float3& centre, float radius) {
-      const float depth = std::max(centre.z - radius, 0.05F);
-      const float slope = std::sqrt(centre.x * centre.x + centre.y * centre.y) / depth;
-      return Disc{view.centre_x + view.focal_px * centre.x / centre.z,
-                  view.centre_y + view.focal_px * centre.y / centre.z,
-                  view.focal_px * radius / depth * std::sqrt(1 + slope * slope) + 1.0F};
-    };
-    visible_ = cone.begin.z > 0.1F && cone.end.z > 0.1F;
-    if (!visible_) return;
-    begin_ = disc(cone.begin, cone.begin_radius);
-    end_ = disc(cone.end, cone.end_radius);
-  }
-
-  PixelRange rows(int height) const {
-    if (!visible_) return {0, 0};
-    return clamped(std::min(begin_.y - begin_.radius, end_.y - end_.radius),
-                   std::max(begin_.y + begin_.radius, end_.y + end_.radius), height);
-  }
-
-  PixelRange columns(int row, int width) const {
-    const float y = static_cast<float>(row) + 0.5F;
-    float low = 0, high = 1;  // the part of the axis whose discs touch the row
-    limit(begin_.y - begin_.radius - y, end_.y - end_.radius - y, low, high);
-    limit(y - begin_.y - begin_.radius, y - end_.y - end_.radius, low, high);
-    if (low > high) return {0, 0};
-    const auto at = [&](float part, float sign) {
-      return begin_.x + part * (end_.x - begin_.x) +
-             sign * (begin_.radius + part * (end_.radius - begin_.radius));
-    };
-    return clamped(std::min(at(low, -1), at(high, -1)), std::max(at(low, 1), at(high, 1)), width);
-  }
-
- private:
-  struct Disc {
-    float x = 0, y = 0, radius = 0;
-  };
-  // Keeps the part where a value that goes linearly from `first` to `last` is not positive.
-  static void limit(float first, float last, float& low, float& high) {
-    if (first <= 0 && last <= 0) return;
-    if (first > 0 && last > 0) {
-      low = 1;
-      high = 0;
-    } else if (first > 0) {
-      low = std::max(low, first / (first - last));
-    } else {
-      high = std::min(high, first / (first - last));
-    }
-  }
-  static PixelRange clamped(float low, float high, int size) {
-    const float limit = static_cast<float>(size);
-    return {static_cast<int>(std::clamp(std::floor(low), 0.0F, limit)),
-            static_cast<int>(std::clamp(std::ceil(high) + 1.0F, 0.0F, limit))};
-  }
-
-  bool visible_ = false;
-  Disc begin_, end_;
-};
 
 class SceneDrawing {
  public:
@@ -421,48 +212,7 @@ class SceneDrawing {
   std::vector<PixelRange> touched_;  // of every row
 };
 
-// The same grain for a place on the ground whatever the camera sees of it.
-float grain(float x, float z) {
-  const auto cell = [](float v) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(v * 24.0F)));
-  };
-  std::uint32_t bits = cell(x) * 0x9E3779B1U ^ cell(z) * 0x85EBCA77U;
-  bits ^= bits >> 15;
-  bits *= 0x2C1B3C6DU;
-  bits ^= bits >> 12;
-  return static_cast<float>(bits & 0xFFU) / 255.0F - 0.5F;
-}
-
 }  // namespace
-
-Image draw_ground_and_sky(const PinholeCamera& camera) {
-  const View view(camera);
-  Image image = Image::black(camera.width_px, camera.height_px);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const Float3 ray = glm::normalize(
-          view.direction_to_world(view.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)));
-      Colour colour;
-      if (ray.y >= 0) {
-        const float up = std::min(1.0F, ray.y * 2.2F);
-        colour = {0.83F - 0.33F * up, 0.89F - 0.20F * up, 0.95F - 0.04F * up};
-      } else {
-        const float distance = std::min(60.0F, -view.eye.y / std::min(ray.y, -1e-4F));
-        const float ground_x = view.eye.x + ray.x * distance, ground_z = view.eye.z + ray.z * distance;
-        const float haze = distance / 60.0F;
-        const float stripe =
-            std::floor(ground_x * 0.5F) - 2.0F * std::floor(ground_x * 0.25F) > 0.5F ? 0.014F : -0.014F;
-        const float speckle =
-            distance < 14.0F ? 0.035F * grain(ground_x, ground_z) * (1.0F - distance / 14.0F) : 0.0F;
-        const float near = 1.0F - haze;
-        colour = {0.33F + 0.30F * haze + (speckle + stripe) * near,
-                  0.52F + 0.22F * haze + (speckle + stripe) * near,
-                  0.24F + 0.36F * haze + (speckle * 0.6F + stripe) * near};
-      }
-      for (std::size_t c = 0; c < 3; ++c) image.pixel(x, y)[c] = to_byte(colour[c]);
-    }
-  return image;
-}
 
 Image draw_scene(const ConeScene& scene, const PinholeCamera& camera, const Image& background) {
   POSECOACH_ASSERT(scene.cones.size() < 65535);

@@ -23,7 +23,7 @@ PinholeCamera make_view_camera(CameraView view, Handedness hand, int width_px, i
   constexpr double kDistance = 3.9, kHandHeight = 0.90;
   // Wide enough for the club in landscape, for the golfer in portrait.
   const double aspect = static_cast<double>(width_px) / height_px;
-  const double seen_height = std::max(2.75, 2.0 / aspect);
+  const double seen_height = std::max(3.0, 2.0 / aspect);
   const double angle = 2 * std::atan(0.5 * seen_height / kDistance);
   const double middle_height = 1.02;
   const double right = hand == Handedness::Right ? 1 : -1;

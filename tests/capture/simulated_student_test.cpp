@@ -147,7 +147,8 @@ TEST(SimulatedStudent, pixels_are_those_of_every_machine) {
                            0.09,
                            {0.1F * static_cast<float>(i % 7), 0.5F, 0.7F}});
   scene.shadows.push_back({{-0.3, 0, 0}, {0.4, 0, 0.2}, 0.4, 0.5});
-  const PinholeCamera camera = make_view_camera(CameraView::FaceOn, Handedness::Right, 320, 180);
+  const PinholeCamera camera =
+      make_camera_looking_at({0, 0.9, 4.0}, {0, 1.02, 0.1}, 2 * std::atan(0.5 * 2.75 / 3.9), 320, 180);
   EXPECT_EQ(fingerprint(draw_scene(scene, camera, draw_ground_and_sky(camera))), 16398693573307188657U);
 }
 
