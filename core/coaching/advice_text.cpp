@@ -148,7 +148,9 @@ std::string timing(const TimingAdvice& t, double relative_ratio, bool is_clear, 
                              percent, relative_ratio < 1 ? "quick" : "slow");
 }
 
-std::string no_clear_difference() {
+std::string no_clear_difference(double percent) {
+  if (percent < 80)
+    return "No clear difference from the coach was found: many small ones, none that stands out.";
   return "No clear difference from the coach was found.";
 }
 

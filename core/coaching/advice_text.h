@@ -18,7 +18,8 @@ std::string spatial(const PartDifference& difference, std::string_view event, Vi
 // "Your downswing takes 0.20 s, the coach's 0.30 s: 33 % too quick."
 std::string timing(const TimingAdvice& timing, double relative_ratio, bool is_clear, bool in_proportion);
 
-std::string no_clear_difference();
+// At a low percent: nothing that one could point at.
+std::string no_clear_difference(double percent);
 // The swing as a whole takes `ratio` times as long as the coach's.
 std::string other_pace(double ratio, bool is_film);
 // The coach's hands are out of reach of the student's arms by as much.

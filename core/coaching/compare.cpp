@@ -90,8 +90,8 @@ std::vector<Advice> most_important(const Analysis& analysis, const TimingResult&
                    [](const Advice& a, const Advice& b) { return a.severity > b.severity; });
   if (all.size() > kMostAdvice) all.resize(kMostAdvice);
   if (all.empty() && !analysis.path.empty())
-    all.push_back({AdviceKind::None, text::no_clear_difference(), analysis.path.front().first,
-                   analysis.path.front().second, 0});
+    all.push_back({AdviceKind::None, text::no_clear_difference(analysis.score.percent),
+                   analysis.path.front().first, analysis.path.front().second, 0});
   return all;
 }
 

@@ -42,7 +42,8 @@ Result<StrokeMoments> find_full_swing(const HandPath& path, const SwingBow& bow,
   const auto half_up = crossing(path.height, bow.top, before, half_height);
   if (!half_up) return fail(ErrorCode::Incomplete, "the motion starts in the middle of the backswing");
   const int rising = static_cast<int>(*half_up);
-  const double back_speed = path.speed[at(index_of_largest(path.speed, rising, bow.top))];
+  const double back_speed =
+      path.unweighted_speed[at(index_of_largest(path.unweighted_speed, rising, bow.top))];
   const auto start = find_start(path, rising, back_speed);
   if (!start)
     return fail(ErrorCode::Incomplete, "the hands never rest before the backswing, so its start is not seen");

@@ -47,6 +47,7 @@ HandPath make_hand_path(const JointTrack& track, const Sight& sight) {
     path.right_wrist.push_back(sight.seen(fine.position(i, RightWrist) - pelvis));
     path.left_confidence.push_back(fine.confidence(i, LeftWrist));
     path.right_confidence.push_back(fine.confidence(i, RightWrist));
+    path.unweighted_hands.push_back(hands - pelvis);
     path.hands.push_back(sight.seen(hands - pelvis));
     path.height.push_back(path.hands.back().y);
     const Vec3 left = fine.position(i, LeftShoulder), right = fine.position(i, RightShoulder);
@@ -57,6 +58,8 @@ HandPath make_hand_path(const JointTrack& track, const Sight& sight) {
   }
   const double sigma = smoothing_samples(track);
   path.hands = smoothed(path.hands, sigma);
+  path.unweighted_hands = smoothed(path.unweighted_hands, sigma);
+  path.unweighted_speed = speed_of(path.unweighted_hands, kHandPathRate);
   path.left_wrist = smoothed(path.left_wrist, sigma);
   path.right_wrist = smoothed(path.right_wrist, sigma);
   path.height = smoothed(path.height, sigma);

@@ -11,6 +11,9 @@ namespace posecoach {
 inline constexpr double kHandPathRate = 120;
 
 struct HandPath {
+  // Where the camera's line of sight counts as much as all else: down the line, a backswing starts along it.
+  std::vector<Vec3> unweighted_hands;
+  std::vector<double> unweighted_speed;
   std::vector<Vec3> hands;                    // middle of the wrists, relative to the pelvis, metres
   std::vector<Vec3> left_wrist, right_wrist;  // the same of each
   std::vector<double> left_confidence, right_confidence;

@@ -130,9 +130,9 @@ double downswing_s(const Stroke& s) {
   return s.events.time_of("impact") - s.events.time_of("top");
 }
 
-void add_times(Sheet& sheet, double off_s) {
-  const double both = std::sqrt(2.0) * off_s;
-  const double back = both / backswing_s(sheet.student()), down = both / downswing_s(sheet.student());
+void add_times(Sheet& sheet, double takeaway_off_s, double off_s) {
+  const double back = std::hypot(takeaway_off_s, off_s) / backswing_s(sheet.student());
+  const double down = std::sqrt(2.0) * off_s / downswing_s(sheet.student());
   sheet.add_time("tempo_ratio", "",
                  "backswing over downswing, takeaway to top to impact; about 3 for full swings, 2 for putts "
                  "(Tour Tempo)",
@@ -234,7 +234,8 @@ void add_posture(Sheet& sheet) {
 
 std::vector<Metric> measure_swing(const ComparedSwings& swings) {
   Sheet sheet(swings);
-  add_times(sheet, event_uncertainty_s(swings.student, swings.view));
+  add_times(sheet, takeaway_uncertainty_s(swings.student, swings.view),
+            event_uncertainty_s(swings.student, swings.view));
   if (swings.student_events.kind == StrokeKind::FullSwing)
     add_full_swing(sheet);
   else

@@ -140,8 +140,10 @@ void add_turns(Differences& d) {
         confidence);
 }
 
-void add_arms(Differences& d, const Vec3& feet) {
-  const Mat3 student_axes = chest_axes(d.student()), coach_axes = chest_axes(d.coach());
+void add_arms(Differences& d, const Vec3& feet, ArmAxes arm_axes) {
+  const bool is_chest = arm_axes == ArmAxes::Chest;
+  const Mat3 student_axes = is_chest ? chest_axes(d.student()) : Mat3(1);
+  const Mat3 coach_axes = is_chest ? chest_axes(d.coach()) : Mat3(1);
   const auto place_on_chest = [&](auto&& of) {
     const Vec3 s = glm::transpose(student_axes) * (of(d.student()) - middle_of_shoulders(d.student(), 0));
     const Vec3 c = glm::transpose(coach_axes) * (of(d.coach()) - middle_of_shoulders(d.coach(), 0));
@@ -194,16 +196,16 @@ JointTrack moment_of(const JointTrack& track, double time_s) {
 }
 
 std::vector<PartDifference> part_differences(const JointTrack& student, const JointTrack& coach,
-                                             const BodyAxes& axes, Anchor anchor, HeadOver head_over) {
-  const auto ankles = [anchor](const JointTrack& body) {
-    return anchor == Anchor::LeadFoot ? body.position(0, LeftAnkle)
-                                      : middle_of(body, 0, LeftAnkle, RightAnkle);
+                                             const BodyAxes& axes, const DifferenceOptions& options) {
+  const auto ankles = [&options](const JointTrack& body) {
+    return options.anchor == Anchor::LeadFoot ? body.position(0, LeftAnkle)
+                                              : middle_of(body, 0, LeftAnkle, RightAnkle);
   };
   const Vec3 feet = ankles(student) - ankles(coach);
   Differences differences(student, coach, axes, feet);
-  add_trunk(differences, feet, head_over);
+  add_trunk(differences, feet, options.head_over);
   add_turns(differences);
-  add_arms(differences, feet);
+  add_arms(differences, feet, options.arm_axes);
   add_legs(differences, feet);
   return differences.take();
 }

@@ -50,12 +50,20 @@ struct PartDifference {
 // What one moment of a track looks like, averaged over a short time around it.
 JointTrack moment_of(const JointTrack& track, double time_s);
 
-// `student` and `coach` are single moments that face the same way; the feet of both are put together
-// at `anchor`'s ankles.
+// `student` and `coach` are single moments that face the same way; the feet of both are put together at the
+// anchor's ankles.
 enum class Anchor { BothFeet, LeadFoot };
 // A full swing's head is carried by the shoulders; over a putt it should not move at all.
 enum class HeadOver { Shoulders, Feet };
+// Arms are placed in axes that turn with the chest, or, where one camera guesses how far the chest is turned,
+// in the world's.
+enum class ArmAxes { Chest, World };
+struct DifferenceOptions {
+  Anchor anchor = Anchor::BothFeet;
+  HeadOver head_over = HeadOver::Shoulders;
+  ArmAxes arm_axes = ArmAxes::Chest;
+};
 std::vector<PartDifference> part_differences(const JointTrack& student, const JointTrack& coach,
-                                             const BodyAxes& axes, Anchor anchor, HeadOver head_over);
+                                             const BodyAxes& axes, const DifferenceOptions& options);
 
 }  // namespace posecoach

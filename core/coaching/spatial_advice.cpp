@@ -33,36 +33,35 @@ struct FeatureRule {
   Group group;
   const char* joint;  // of a right-hander
   Direction direction;
-  double clear;  // metres or degrees: two good swings of one golfer stay below it
+  // Metres or degrees from which on a difference is clear. Motion capture: two good swings of one golfer stay
+  // below it. Films: so do faultless simulated golfers seen by the pose stage; 0 where that view cannot tell.
+  double clear, clear_face_on, clear_down_the_line;
 };
 
 constexpr std::array<FeatureRule, kFeatureCount> kRules = {{
-    {Feature::HipsToTarget, Group::Hips, "pelvis", Direction::Target, 0.04},
-    {Feature::HipsUp, Group::Hips, "pelvis", Direction::Up, 0.035},
-    {Feature::HipsToBall, Group::Hips, "pelvis", Direction::Ball, 0.04},
-    {Feature::ChestToTarget, Group::Chest, "chest", Direction::Target, 0.045},
-    {Feature::ChestUp, Group::Chest, "chest", Direction::Up, 0.05},
-    {Feature::ChestToBall, Group::Chest, "chest", Direction::Ball, 0.045},
-    {Feature::HeadToTarget, Group::Head, "head", Direction::Target, 0.035},
-    {Feature::HeadUp, Group::Head, "head", Direction::Up, 0.045},
-    {Feature::HeadToBall, Group::Head, "head", Direction::Ball, 0.055},
-    {Feature::HipTurn, Group::HipTurn, "left_hip", Direction::Any, 12},
-    {Feature::ShoulderTurn, Group::Shoulders, "left_shoulder", Direction::Any, 12},
-    {Feature::ShoulderTilt, Group::Shoulders, "left_shoulder", Direction::Any, 7.5},
-    {Feature::LeadElbowPlace, Group::LeadArm, "left_elbow", Direction::Any, 0.06},
-    {Feature::TrailElbowPlace, Group::TrailArm, "right_elbow", Direction::Any, 0.06},
-    {Feature::LeadArmBend, Group::LeadArm, "left_elbow", Direction::Any, 14},
-    {Feature::TrailArmBend, Group::TrailArm, "right_elbow", Direction::Any, 24},
-    {Feature::HandsPlace, Group::Hands, "left_wrist", Direction::Any, 0.07},
-    {Feature::LeadKneeBend, Group::LeadLeg, "left_knee", Direction::Any, 14},
-    {Feature::TrailKneeBend, Group::TrailLeg, "right_knee", Direction::Any, 14},
-    {Feature::StanceWidth, Group::Stance, "left_ankle", Direction::Target, 0.05},
-    {Feature::HandsToBall, Group::Hands, "left_wrist", Direction::Ball, 0.05},
+    {Feature::HipsToTarget, Group::Hips, "pelvis", Direction::Target, 0.04, 0.05, 0},
+    {Feature::HipsUp, Group::Hips, "pelvis", Direction::Up, 0.035, 0.1, 0.13},
+    {Feature::HipsToBall, Group::Hips, "pelvis", Direction::Ball, 0.04, 0, 0.055},
+    {Feature::ChestToTarget, Group::Chest, "chest", Direction::Target, 0.045, 0.11, 0},
+    {Feature::ChestUp, Group::Chest, "chest", Direction::Up, 0.05, 0.08, 0.1},
+    {Feature::ChestToBall, Group::Chest, "chest", Direction::Ball, 0.045, 0, 0.065},
+    {Feature::HeadToTarget, Group::Head, "head", Direction::Target, 0.035, 0.08, 0},
+    {Feature::HeadUp, Group::Head, "head", Direction::Up, 0.045, 0.07, 0.13},
+    {Feature::HeadToBall, Group::Head, "head", Direction::Ball, 0.055, 0, 0.065},
+    {Feature::HipTurn, Group::HipTurn, "left_hip", Direction::Any, 12, 0, 0},
+    {Feature::ShoulderTurn, Group::Shoulders, "left_shoulder", Direction::Any, 12, 0, 0},
+    {Feature::ShoulderTilt, Group::Shoulders, "left_shoulder", Direction::Any, 7.5, 0, 0},
+    {Feature::LeadElbowPlace, Group::LeadArm, "left_elbow", Direction::Any, 0.06, 0.22, 0},
+    {Feature::TrailElbowPlace, Group::TrailArm, "right_elbow", Direction::Any, 0.06, 0.22, 0.22},
+    {Feature::LeadArmBend, Group::LeadArm, "left_elbow", Direction::Any, 14, 0, 0},
+    {Feature::TrailArmBend, Group::TrailArm, "right_elbow", Direction::Any, 24, 0, 0},
+    {Feature::HandsPlace, Group::Hands, "left_wrist", Direction::Any, 0.07, 0.14, 0.2},
+    {Feature::LeadKneeBend, Group::LeadLeg, "left_knee", Direction::Any, 14, 0, 0},
+    {Feature::TrailKneeBend, Group::TrailLeg, "right_knee", Direction::Any, 14, 0, 28},
+    {Feature::StanceWidth, Group::Stance, "left_ankle", Direction::Target, 0.05, 0.08, 0},
+    {Feature::HandsToBall, Group::Hands, "left_wrist", Direction::Ball, 0.05, 0, 0.12},
 }};
 
-// One camera guesses depth; what it can know at all it knows this much worse.
-constexpr double kOneCameraFactor = 1.6;
-constexpr double kOneCameraBendFactor = 2.0;
 constexpr double kLeastConfidence = 0.5;
 // What was off at address already and stays so is told at address.
 constexpr double kAlreadyAtAddress = 0.75;
@@ -81,62 +80,61 @@ struct Candidate {
   double severity = 0, rank = 0;
 };
 
-enum class Measure { Place, Bend, Turn };
-
-Measure measure_of(Feature feature) {
-  switch (feature) {
-    case Feature::HipTurn:
-    case Feature::ShoulderTurn:
-    case Feature::ShoulderTilt:
-      return Measure::Turn;
-    case Feature::LeadArmBend:
-    case Feature::TrailArmBend:
-    case Feature::LeadKneeBend:
-    case Feature::TrailKneeBend:
-      return Measure::Bend;
-    default:
-      return Measure::Place;
-  }
-}
-
+// 0 where the view cannot tell.
 double clear_amount(const FeatureRule& rule, Viewpoint view) {
-  if (!is_one_camera(view)) return rule.clear;
-  return rule.clear * (measure_of(rule.feature) == Measure::Bend ? kOneCameraBendFactor : kOneCameraFactor);
-}
-
-// Turns about the vertical are depth to any one camera: too uncertain to blame the golfer for. So is the far
-// arm down the line, and how much the trail arm bends behind the body.
-bool is_visible(const FeatureRule& rule, Viewpoint view) {
-  if (is_one_camera(view) && measure_of(rule.feature) == Measure::Turn) return false;
-  if (is_one_camera(view) && rule.feature == Feature::TrailArmBend) return false;
-  if (view == Viewpoint::DownTheLine && rule.group == Group::LeadArm) return false;
-  if (rule.direction == Direction::Target) return sees_target_direction(view);
-  if (rule.direction == Direction::Ball) return sees_ball_direction(view);
-  return true;
+  switch (view) {
+    case Viewpoint::AllSides:
+      return rule.clear;
+    case Viewpoint::FaceOn:
+      return rule.clear_face_on;
+    case Viewpoint::DownTheLine:
+      return rule.clear_down_the_line;
+    case Viewpoint::Between:
+      break;
+  }
+  return rule.clear_face_on > 0 && rule.clear_down_the_line > 0
+             ? std::max(rule.clear_face_on, rule.clear_down_the_line)
+             : 0;
 }
 
 double size_of(const PartDifference& difference, const FeatureRule& rule, const ComparedSwings& swings,
                const BodyAxes& axes) {
-  if (rule.direction != Direction::Any || measure_of(rule.feature) != Measure::Place)
-    return std::abs(difference.amount);
+  const bool is_place = rule.direction == Direction::Any && rule.clear < 1;
+  if (!is_place) return std::abs(difference.amount);
   const Vec3& o = difference.offset;
   return glm::length(swings.sight.seen(o.x * axes.left + o.y * axes.up + o.z * axes.front));
 }
 
-std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_view event,
-                                     const BodyAxes& axes, bool after_impact) {
-  const JointTrack student = moment_of(swings.student, swings.student_events.time_of(event));
-  const JointTrack coach = moment_of(swings.coach, swings.coach_events.time_of(event));
+std::vector<PartDifference> differences_at(const ComparedSwings& swings, std::string_view event,
+                                           const BodyAxes& axes, Anchor anchor) {
   const bool is_putt = swings.student_events.kind == StrokeKind::Putt;
+  return part_differences(moment_of(swings.student, swings.student_events.time_of(event)),
+                          moment_of(swings.coach, swings.coach_events.time_of(event)), axes,
+                          {anchor, is_putt ? HeadOver::Feet : HeadOver::Shoulders,
+                           is_one_camera(swings.view) ? ArmAxes::World : ArmAxes::Chest});
+}
+
+std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_view event,
+                                     const BodyAxes& axes, Anchor anchor) {
+  const bool is_putt = swings.student_events.kind == StrokeKind::Putt;
+  std::vector<PartDifference> differences = differences_at(swings, event, axes, anchor);
+  // A webcam's body is not quite the golfer's, and its pose model leans a little: what is off from address on
+  // may be theirs. Only what changes from there is the swing's.
+  if (is_one_camera(swings.view)) {
+    const std::vector<PartDifference> before = differences_at(swings, "address", axes, anchor);
+    for (std::size_t k = 0; k < differences.size(); ++k) {
+      differences[k].amount -= before[k].amount;
+      differences[k].offset -= before[k].offset;
+    }
+  }
   std::vector<Candidate> found;
-  for (const PartDifference& difference :
-       part_differences(student, coach, axes, after_impact ? Anchor::LeadFoot : Anchor::BothFeet,
-                        is_putt ? HeadOver::Feet : HeadOver::Shoulders)) {
+  for (const PartDifference& difference : differences) {
     const FeatureRule& rule = kRules[static_cast<std::size_t>(difference.feature)];
-    if (!is_visible(rule, swings.view) || difference.confidence < kLeastConfidence) continue;
+    const double clear = clear_amount(rule, swings.view);
+    if (clear <= 0 || difference.confidence < kLeastConfidence) continue;
     if (rule.feature == Feature::HandsToBall && event != "mid_downswing") continue;
     Candidate candidate{&rule, difference, std::string(event), 0, 0};
-    candidate.severity = size_of(difference, rule, swings, axes) / clear_amount(rule, swings.view);
+    candidate.severity = size_of(difference, rule, swings, axes) / clear;
     if (is_putt) candidate.severity /= kPuttFactor;
     if (event == "finish" || event == "end") candidate.severity *= kFinishWeight;
     candidate.rank = candidate.severity * std::sqrt(difference.share + 0.02);
@@ -207,11 +205,14 @@ std::vector<SpatialAdvice> find_spatial_advice(const ComparedSwings& swings, std
   const double takeaway = swings.coach_events.takeaway_s;
   const BodyAxes axes = body_axes(swings.coach, std::max(0.0, takeaway - 0.2), takeaway);
   Moments by_feature;
-  bool after_impact = false;
+  Anchor anchor = Anchor::BothFeet;
   for (const SwingEvent& event : swings.student_events.events) {
-    for (Candidate& candidate : candidates_at(swings, event.name, axes, after_impact))
+    for (Candidate& candidate : candidates_at(swings, event.name, axes, anchor))
       by_feature[candidate.difference.feature].push_back(std::move(candidate));
-    after_impact = after_impact || event.name == "impact";
+    if (event.name != "impact") continue;
+    // After impact he turns his back on a camera on the target line.
+    if (swings.view == Viewpoint::DownTheLine) break;
+    anchor = Anchor::LeadFoot;
   }
   std::map<Group, Candidate> by_group;
   for (const auto& [feature, moments] : by_feature) {

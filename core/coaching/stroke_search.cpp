@@ -98,13 +98,13 @@ std::optional<SwingBow> find_bow(const HandPath& path) {
 }
 
 std::optional<StrokeStart> find_start(const HandPath& path, int moving, double largest_speed) {
-  const std::vector<double> speed = smoothed(path.speed, kRestSmoothing);
+  const std::vector<double> speed = smoothed(path.unweighted_speed, kRestSmoothing);
   const double still = rest_speed(speed, largest_speed);
   const auto rest = last_rest(speed, moving, still);
   if (!rest) return std::nullopt;
   const auto& [first, last] = *rest;
-  const Rest before = rest_of(path.hands, first, first + (last - first) / 2);
-  const std::vector<double> distance = distance_from(path.hands, before.place);
+  const Rest before = rest_of(path.unweighted_hands, first, first + (last - first) / 2);
+  const std::vector<double> distance = distance_from(path.unweighted_hands, before.place);
   const double way = distance[at(moving)];
   const auto passed = [&](double part) {
     return crossing(distance, moving, first, std::max(part * way, 3 * before.tremble));

@@ -19,7 +19,8 @@ constexpr double kClearSigmas = 2;
 constexpr double kOtherPace = 1.6;
 // Frames that an event may be off: between two frames, and on a trembling webcam skeleton.
 constexpr double kFramesOff = 0.15, kFramesOffOneCamera = 0.6;
-constexpr double kLeastOff_s = 0.004;
+constexpr double kLeastOff_s = 0.004, kLeastOffOneCamera_s = 0.020;
+constexpr double kTakeawayOffDownTheLine_s = 0.08;
 
 using Phase = std::pair<std::string_view, std::string_view>;
 constexpr std::array<Phase, 4> kFullSwing = {
@@ -31,7 +32,13 @@ constexpr std::array<Phase, 3> kPutt = {{{"takeaway", "top"}, {"top", "impact"},
 double event_uncertainty_s(const JointTrack& track, Viewpoint view) {
   const double rate = track.frame_rate();
   const double frames = is_one_camera(view) ? kFramesOffOneCamera : kFramesOff;
-  return std::max(kLeastOff_s, rate > 0 ? frames / rate : 0);
+  return std::max(is_one_camera(view) ? kLeastOffOneCamera_s : kLeastOff_s, rate > 0 ? frames / rate : 0);
+}
+
+double takeaway_uncertainty_s(const JointTrack& track, Viewpoint view) {
+  // Down the line the hands start straight away from the camera, which sees it late.
+  const double late_s = view == Viewpoint::DownTheLine ? kTakeawayOffDownTheLine_s : 0;
+  return std::hypot(event_uncertainty_s(track, view), late_s);
 }
 
 TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& alignment) {
@@ -49,7 +56,11 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
   const std::span<const Phase> phases =
       student.kind == StrokeKind::Putt ? std::span<const Phase>(kPutt) : kFullSwing;
   for (const Phase& phase : phases) {
-    if (phase.first == "impact" && !(student.is_end_seen && coach.is_end_seen)) continue;
+    // A webcam's hands settle late, and some motions end before they do.
+    const bool is_end_known = student.is_end_seen && coach.is_end_seen && !is_one_camera(swings.view);
+    if (phase.first == "impact" && !is_end_known) continue;
+    const double start_off_s =
+        phase.first == "takeaway" ? takeaway_uncertainty_s(swings.student, swings.view) : off_s;
     TimingAdvice advice;
     advice.from = phase.first;
     advice.to = phase.second;
@@ -57,8 +68,9 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
     advice.coach_s = duration(coach, phase);
     if (advice.student_s <= 0 || advice.coach_s <= 0) continue;
     advice.ratio = advice.student_s / advice.coach_s;
-    advice.plus_minus =
-        advice.ratio * std::sqrt(2.0) * std::hypot(off_s / advice.student_s, coach_off_s / advice.coach_s);
+    advice.plus_minus = advice.ratio * std::sqrt(2.0) *
+                        std::hypot(std::hypot(off_s, start_off_s) / std::sqrt(2.0) / advice.student_s,
+                                   coach_off_s / advice.coach_s);
     const double along_path = alignment.student_time(coach.time_of(phase.second)) -
                               alignment.student_time(coach.time_of(phase.first));
     advice.path_ratio = along_path / advice.coach_s;

@@ -20,7 +20,8 @@ struct TimingResult {
 
 TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& alignment);
 
-// How far off an event's time may be, seconds.
+// How far off an event's time may be, and the takeaway's, seconds.
 double event_uncertainty_s(const JointTrack& track, Viewpoint view);
+double takeaway_uncertainty_s(const JointTrack& track, Viewpoint view);
 
 }  // namespace posecoach
