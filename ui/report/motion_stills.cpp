@@ -69,7 +69,7 @@ std::vector<ReportPicture> draw_motion_stills(const Comparison& comparison, Scen
     bounds.include(moment.student->positions);
     bounds.include(coach);
     const PinholeCamera camera = camera_before(bounds, front);
-    const std::optional<JointApart> apart = joint_apart(*moment.student, *moment.coach, still.joint);
+    const std::optional<JointApart> apart = joint_apart(*moment.student, *moment.coach, still.joint, Vec3(0));
     std::optional<OverlayHighlight> highlight;
     if (apart) highlight = {apart->student, apart->coach};
     Scene scene = make_bodies_scene(moment, comparison.palette, camera, highlight);

@@ -114,7 +114,10 @@ ReportPicture OverlayFilm::draw_still(const Frame& frame, const StillMoment& sti
                                          std::max(8, larger(frame.image->height)));
   std::optional<JointApart> apart;
   std::optional<OverlayHighlight> highlight;
-  if (moment.student && moment.coach) apart = joint_apart(*moment.student, *moment.coach, still.joint);
+  if (moment.student && moment.coach) {
+    const Vec3 into_picture = glm::transpose(camera_.rotation_camera_from_world) * Vec3(0, 0, 1);
+    apart = joint_apart(*moment.student, *moment.coach, still.joint, into_picture);
+  }
   if (apart) highlight = {apart->student, apart->coach};
   renderer_.render(make_bodies_scene(moment, comparison_.palette, camera, highlight), camera);
   crop = {larger(crop.left), larger(crop.top), larger(crop.width), larger(crop.height)};

@@ -68,13 +68,14 @@ std::vector<StillMoment> still_moments(const Analysis& analysis) {
 }
 
 std::optional<JointApart> joint_apart(const BodyState& student, const BodyState& coach,
-                                      std::optional<HumanoidJoint> wanted) {
+                                      std::optional<HumanoidJoint> wanted, const Vec3& unseen) {
   const auto his_root = seen(student, Pelvis), coachs_root = seen(coach, Pelvis);
   if (!his_root || !coachs_root) return std::nullopt;
   const auto measure = [&](HumanoidJoint role) -> std::optional<JointApart> {
     const auto his = seen(student, role), coachs = seen(coach, role);
     if (!his || !coachs) return std::nullopt;
-    return JointApart{role, *his, *coachs, glm::length((*his - *his_root) - (*coachs - *coachs_root))};
+    const Vec3 apart = (*his - *his_root) - (*coachs - *coachs_root);
+    return JointApart{role, *his, *coachs, glm::length(apart - glm::dot(apart, unseen) * unseen)};
   };
   if (wanted)
     if (const auto apart = measure(*wanted)) return apart;

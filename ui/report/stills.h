@@ -21,7 +21,7 @@ struct StillMoment {
 // apart from each other in time, in the order of time.
 std::vector<StillMoment> still_moments(const Analysis& analysis);
 
-// A joint of both bodies and how far apart they are with both pelvises in one place, as the score sees it.
+// A joint of both bodies and how far apart they are with both pelvises in one place.
 struct JointApart {
   HumanoidJoint joint = HumanoidJoint::Pelvis;
   Vec3 student, coach;  // where they are drawn
@@ -29,9 +29,10 @@ struct JointApart {
 };
 
 // The wanted joint, or else the one farthest apart among those that a golfer can be told about; nothing where
-// none is seen in both.
+// none is seen in both. Distances along `unseen`, a unit vector or zero, do not count: one camera only
+// guesses them.
 std::optional<JointApart> joint_apart(const BodyState& student, const BodyState& coach,
-                                      std::optional<HumanoidJoint> wanted);
+                                      std::optional<HumanoidJoint> wanted, const Vec3& unseen);
 
 // "Top: left elbow 14 cm away".
 std::string still_caption(const std::string& phase, const std::optional<JointApart>& apart);

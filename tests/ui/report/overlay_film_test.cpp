@@ -137,6 +137,20 @@ TEST(StillMoments, advice_comes_with_its_joint_and_moments_are_apart) {
   EXPECT_TRUE(still_moments(Analysis{}).empty());
 }
 
+TEST(JointApart, what_one_camera_only_guesses_does_not_count) {
+  const ComparedMotions motions = make_compared_motions(8);
+  const Skeleton& body = motions.student.skeleton();
+  std::vector<Vec3> coach(motions.student.positions(0).begin(), motions.student.positions(0).end());
+  coach[static_cast<std::size_t>(body.find(HumanoidJoint::LeftWrist))] += Vec3(0, 0, 0.5);
+  coach[static_cast<std::size_t>(body.find(HumanoidJoint::RightKnee))] += Vec3(0.1, 0, 0);
+  const BodyState his{body, motions.student.positions(0)}, coachs{body, coach};
+  const auto seen = joint_apart(his, coachs, std::nullopt, Vec3(0, 0, 1));
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->joint, HumanoidJoint::RightKnee);
+  EXPECT_NEAR(seen->distance_m, 0.1, 1e-9);
+  EXPECT_EQ(joint_apart(his, coachs, std::nullopt, Vec3(0))->joint, HumanoidJoint::LeftWrist);
+}
+
 TEST(Crop, lies_within_the_picture_and_around_the_points) {
   for (const auto& [width, height] : {std::pair(354, 492), std::pair(1280, 720), std::pair(50, 2000)}) {
     const std::vector<Vec2> points = {
