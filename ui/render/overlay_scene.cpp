@@ -119,8 +119,8 @@ void add_legend(Layout& layout, const OverlayStory& story) {
 
 void add_timeline(Layout& layout, const OverlayStory& story, const OverlayMoment& moment) {
   const double w = layout.width(), h = layout.height();
-  Box scrim = make_box({-60, h - 84}, {w + 120, 200}, 0, kInk.with_alpha(0.66F));
-  scrim.softness = 44;
+  Box scrim = make_box({-60, h - 98}, {w + 120, 200}, 0, kInk.with_alpha(0.80F));
+  scrim.softness = 36;
   layout.box(scrim);
 
   const Colour student = student_style(story.palette).bone, coach = coach_style(story.palette).bone;

@@ -74,7 +74,8 @@ std::optional<JointApart> joint_apart(const BodyState& student, const BodyState&
   const auto measure = [&](HumanoidJoint role) -> std::optional<JointApart> {
     const auto his = seen(student, role), coachs = seen(coach, role);
     if (!his || !coachs) return std::nullopt;
-    const Vec3 apart = (*his - *his_root) - (*coachs - *coachs_root);
+    Vec3 apart = *his - *coachs;
+    if (role != Pelvis) apart -= *his_root - *coachs_root;
     return JointApart{role, *his, *coachs, glm::length(apart - glm::dot(apart, unseen) * unseen)};
   };
   if (wanted)

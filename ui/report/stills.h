@@ -21,7 +21,8 @@ struct StillMoment {
 // apart from each other in time, in the order of time.
 std::vector<StillMoment> still_moments(const Analysis& analysis);
 
-// A joint of both bodies and how far apart they are with both pelvises in one place.
+// A joint of both bodies and how far apart they are with both pelvises in one place, or, for the pelvis
+// itself, with the feet in one place.
 struct JointApart {
   HumanoidJoint joint = HumanoidJoint::Pelvis;
   Vec3 student, coach;  // where they are drawn
