@@ -38,8 +38,15 @@ GolfPose GolfScript::pose(double time_s) const {
   return pose;
 }
 
+GolfPose GolfScript::written_pose(double time_s) const {
+  GolfPose pose{};
+  for (const Keys& keys : keys_)
+    if (!keys.is_added) pose[keys.channel] += keys.curve.value(time_s);
+  return pose;
+}
+
 void GolfScript::add(GolfChannel channel, std::span<const Offset> offsets) {
-  Keys keys{channel, {}, {}};
+  Keys keys{.channel = channel, .values = {}, .is_added = true};
   for (const Offset& offset : offsets) {
     const int instant = index_of(offset.instant);
     POSECOACH_ASSERT(instant >= 0 && (keys.values.empty() || keys.values.back().first < instant));
@@ -86,7 +93,7 @@ Result<GolfScript> GolfScript::parse(std::string_view json, std::string_view nam
     for (const auto& [key, values] : root.at("channels").items()) {
       const auto channel = golf_channel_from_string(key);
       if (!channel) return malformed("there is no channel " + key);
-      Keys keys{*channel, {}, {}};
+      Keys keys{.channel = *channel, .values = {}};
       for (const auto& [instant, value] : values.items()) {
         const int index = script.index_of(instant);
         if (index < 0) return malformed(key + " has a value at " + instant + ", which is no instant");

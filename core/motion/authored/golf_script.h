@@ -51,6 +51,8 @@ class GolfScript {
   bool has_instant(std::string_view instant) const;
 
   GolfPose pose(double time_s) const;
+  // Without what was added: the motion as it is written.
+  GolfPose written_pose(double time_s) const;
 
   // Adds a smooth curve of its own on top of a channel; zero at instants that are not named and lie outside.
   struct Offset {
@@ -65,7 +67,8 @@ class GolfScript {
   struct Keys {
     GolfChannel channel;
     std::vector<std::pair<int, double>> values;  // instant, value
-    KeyCurve curve;
+    KeyCurve curve = {};
+    bool is_added = false;
   };
   int index_of(std::string_view instant) const;
   void rebuild();

@@ -340,7 +340,11 @@ void GolferPoser::fit_address(const GolfPose& address) {
   ball_ = pose(numbers).club.head;
 }
 
-void GolferPoser::fit_impact(const GolfPose& impact) {
+void GolferPoser::fit_impact(const GolfPose& written, const GolfPose& impact) {
+  const auto aim_at_ball = [&](const GolfPose& numbers) {
+    const ClubPose club = pose(numbers).club;
+    aim_at_impact_ = glm::normalize(swing_between(club.head - club.grip, ball_ - club.grip) * aim_at_impact_);
+  };
   // Sink or rise until the ball is one club away from the hands, and turn the shaft to it. Each moves the
   // other a little: a few rounds settle them.
   constexpr double kMostSink = 0.06;
@@ -348,12 +352,14 @@ void GolferPoser::fit_impact(const GolfPose& impact) {
     double least = -kMostSink * body_.size, most = kMostSink * body_.size;
     for (int i = 0; i < 30; ++i) {
       sink_at_impact_m_ = 0.5 * (least + most);
-      const bool is_far = glm::distance(pose(impact).club.grip, ball_) > club_.grip_to_head_m;
+      const bool is_far = glm::distance(pose(written).club.grip, ball_) > club_.grip_to_head_m;
       (is_far ? least : most) = sink_at_impact_m_;
     }
-    const ClubPose club = pose(impact).club;
-    aim_at_impact_ = glm::normalize(swing_between(club.head - club.grip, ball_ - club.grip) * aim_at_impact_);
+    aim_at_ball(written);
   }
+  // A fault may take the hands elsewhere: the body does not make up for it, but the club still goes for the
+  // ball.
+  for (int round = 0; round < 3; ++round) aim_at_ball(impact);
 }
 
 Result<GolferPoser> GolferPoser::make(const Skeleton& skeleton, const GolfScript& script) {
@@ -364,7 +370,8 @@ Result<GolferPoser> GolferPoser::make(const Skeleton& skeleton, const GolfScript
   poser.stance_ = script.stance();
   poser.hips_height_m_ = poser.address_hips_height();
   poser.fit_address(script.pose(0));
-  poser.fit_impact(script.pose(script.time_of("impact")));
+  const double impact_s = script.time_of("impact");
+  poser.fit_impact(script.written_pose(impact_s), script.pose(impact_s));
   return poser;
 }
 

@@ -49,7 +49,7 @@ class GolferPoser {
   struct Foot;
   Foot foot(int side, const GolfPose& numbers) const;
   void fit_address(const GolfPose& address);
-  void fit_impact(const GolfPose& impact);
+  void fit_impact(const GolfPose& written, const GolfPose& impact);
 
   GolferBody body_;
   GolfClub club_;
