@@ -17,7 +17,7 @@ struct BenchRow {
 };
 
 struct BenchOptions {
-  std::string film;    // a real film for the stages that need one; empty: made-up pictures
+  std::string film;    // a real film for the stages that need one; empty: the simulated student
   std::string models;  // folder of the pose networks; empty: the usual places
 };
 

@@ -1,8 +1,12 @@
+#include <unistd.h>
+
 #include <optional>
 
 #include "app/bench.h"
 #include "app/pose_options.h"
 #include "capture/open_source.h"
+#include "capture/simulated_student.h"
+#include "capture/video_writer.h"
 #include "core/image/sampling.h"
 #include "core/vision/detector.h"
 #include "core/vision/landmark_model.h"
@@ -87,15 +91,50 @@ Result<void> bench_film(const BenchOptions& options, PoseModel model, Search sea
   return {};
 }
 
+Result<void> bench_films(const BenchOptions& options, std::vector<BenchRow>& rows) {
+  for (const PoseModel model : kModels)
+    if (auto done = bench_film(options, model, Search::WhenLost, rows); !done) return done;
+  return bench_film(options, PoseModel::Full, Search::InEveryFrame, rows);
+}
+
+// The simulated student's swing at 1280x720, for machines without a film.
+Result<void> write_simulated_film(const std::filesystem::path& path) {
+  constexpr std::size_t kFrames = 80;
+  SimulatedStudentOptions student_options;
+  student_options.frames_per_second = 30;
+  auto student = SimulatedStudent::make(student_options);
+  if (!student) return tl::unexpected(student.error());
+  const FrameSourceInfo& info = (*student)->info();
+  auto writer = VideoWriter::open(path, {info.width, info.height, info.nominal_fps});
+  if (!writer) return tl::unexpected(writer.error());
+  for (std::size_t i = 0; i < kFrames; ++i) {
+    const auto frame = (*student)->next({});
+    if (!frame) return tl::unexpected(frame.error());
+    if (!*frame) break;
+    if (auto written = (*writer)->write(*(*frame)->image, (*frame)->time); !written) return written;
+  }
+  return (*writer)->finish();
+}
+
+Result<void> bench_simulated_film(BenchOptions options, std::vector<BenchRow>& rows) {
+  std::error_code reason;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(reason);
+  if (reason)
+    return fail(ErrorCode::Unreadable, "there is no folder for temporary files: " + reason.message());
+  const std::filesystem::path film = folder / ("posecoach_bench_" + std::to_string(::getpid()) + ".mp4");
+  auto done = write_simulated_film(film);
+  options.film = film.string();
+  if (done) done = bench_films(options, rows);
+  std::filesystem::remove(film, reason);
+  return done;
+}
+
 }  // namespace
 
 Result<void> bench_vision(const BenchOptions& options, std::vector<BenchRow>& rows) {
   bench_crop(rows);
   if (auto done = bench_networks(options, rows); !done) return done;
-  if (options.film.empty()) return {};
-  for (const PoseModel model : kModels)
-    if (auto done = bench_film(options, model, Search::WhenLost, rows); !done) return done;
-  return bench_film(options, PoseModel::Full, Search::InEveryFrame, rows);
+  return options.film.empty() ? bench_simulated_film(options, rows) : bench_films(options, rows);
 }
 
 }  // namespace posecoach

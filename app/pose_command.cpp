@@ -36,7 +36,8 @@ void add_pose_command(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("pose", "2D and 3D joints of the person in every frame");
   auto input = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();
-  command->add_option("INPUT", *input, "A film or a folder of pictures")->required();
+  command->add_option("INPUT", *input, "A film, a folder of pictures, or simulated:swing, simulated:putt")
+      ->required();
   command->add_option("-o,--output", *output, "The pose file to write (.pose.json), or - for standard output")
       ->required()
       ->type_name("FILE");

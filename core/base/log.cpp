@@ -2,6 +2,7 @@
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 namespace posecoach::log {
 namespace {
@@ -10,7 +11,8 @@ spdlog::logger& logger() {
   static const auto instance = [] {
     auto made = std::make_shared<spdlog::logger>("posecoach",
                                                  std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
-    made->set_pattern("posecoach: %^%l%$: %v");
+    // On a terminal a progress bar may stand in the line: it gives way.
+    made->set_pattern(isatty(STDERR_FILENO) == 1 ? "\r\033[Kposecoach: %^%l%$: %v" : "posecoach: %^%l%$: %v");
     return made;
   }();
   return *instance;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMostTensors = 20'000;
 constexpr std::size_t kMostInputs = 16;
 constexpr std::size_t kMostDimensions = 8;
-constexpr std::size_t kMostWeights = std::size_t{1} << 25;
+constexpr std::size_t kMostWeights = std::size_t{1} << 24;
 constexpr int kLargestStep = 1024;
 
 // Numbers that the file format gives to operations.
