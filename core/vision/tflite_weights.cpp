@@ -23,7 +23,7 @@ Result<std::vector<float>> stored_floats(TfliteType type, std::string_view data)
   std::vector<float> values;
   if (type == TfliteType::Float32) {
     values.resize(data.size() / sizeof(float));
-    std::memcpy(values.data(), data.data(), values.size() * sizeof(float));
+    if (!values.empty()) std::memcpy(values.data(), data.data(), values.size() * sizeof(float));
     return values;
   }
   if (type != TfliteType::Float16)
