@@ -125,15 +125,15 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
 Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motion,
                          const CompareOptions& options) {
   const Result<Side> student = make_side(student_motion, options.hand, options.sight);
-  if (!student) return fail(student.error().code, "the student's motion: " + student.error().message);
+  if (!student) return fail(student.error().code, options.student_name + ": " + student.error().message);
   const Result<Side> coach = make_side(coach_motion, std::nullopt, {});
-  if (!coach) return fail(coach.error().code, "the coach's motion: " + coach.error().message);
-  if (!coach->events) return fail(ErrorCode::Incomplete, "the coach's motion: " + coach->reason);
+  if (!coach) return fail(coach.error().code, options.coach_name + ": " + coach.error().message);
+  if (!coach->events) return fail(ErrorCode::Incomplete, options.coach_name + ": " + coach->reason);
   if (student->events && student->events->kind != coach->events->kind)
-    return fail(ErrorCode::Incomplete, "the student's motion is a " +
-                                           std::string(to_string(student->events->kind)) +
-                                           ", the coach's a " + std::string(to_string(coach->events->kind)) +
-                                           "; choose a coach's motion of the same kind");
+    return fail(ErrorCode::Incomplete,
+                options.student_name + " is a " + std::string(to_string(student->events->kind)) + ", " +
+                    options.coach_name + " a " + std::string(to_string(coach->events->kind)) +
+                    "; choose a coach's motion of the same kind");
   const TimeWindow coach_window = stroke_window(*coach->events);
   const Alignment alignment =
       student->events
@@ -156,7 +156,7 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   if (student->events) {
     add_strokes(analysis, *student, *coach, alignment, options.view);
   } else if (analysis.score.percent < kLeastPercentWithoutEvents) {
-    return fail(ErrorCode::Incomplete, "the student's motion: " + student->reason);
+    return fail(ErrorCode::Incomplete, options.student_name + ": " + student->reason);
   } else {
     analysis.notes.push_back("The student's swing could not be divided into its parts: " + student->reason +
                              ".");

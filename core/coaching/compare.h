@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/coaching/analysis.h"
@@ -16,6 +17,8 @@ struct CompareOptions {
   std::optional<Handedness> hand = {};  // the student's; detected when not given
   Viewpoint view = Viewpoint::AllSides;
   Sight sight = {};  // of the camera, in the world of the student's motion
+  // How error messages call the two.
+  std::string student_name = "the student's motion", coach_name = "the coach's motion";
 };
 
 // `coach` is already in the student's body. Coach and student may be of different hands: each is compared as

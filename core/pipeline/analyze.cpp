@@ -117,7 +117,7 @@ Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coac
   const Result<RetargetResult> personal =
       retarget(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
   if (!personal) return fail(personal.error().code, coach.source + ": " + personal.error().message);
-  Result<Analysis> analysis = compare(student.motion, personal->motion, {hand, student.view, student.sight});
+  Result<Analysis> analysis = compare(student.motion, personal->motion, {hand, student.view, student.sight, student.source, coach.source});
   if (!analysis) return tl::unexpected(analysis.error());
 
   Motion drawn =
