@@ -207,6 +207,8 @@ std::vector<SpatialAdvice> find_spatial_advice(const ComparedSwings& swings, std
   Moments by_feature;
   Anchor anchor = Anchor::BothFeet;
   for (const SwingEvent& event : swings.student_events.events) {
+    // A film's finish is half hidden, and where in it the hands rest is a guess.
+    if (event.name == "finish" && is_one_camera(swings.view)) break;
     for (Candidate& candidate : candidates_at(swings, event.name, axes, anchor))
       by_feature[candidate.difference.feature].push_back(std::move(candidate));
     if (event.name != "impact") continue;
