@@ -21,9 +21,9 @@ Result<CameraView> camera_view_from_string(std::string_view name) {
 
 PinholeCamera make_view_camera(CameraView view, Handedness hand, int width_px, int height_px) {
   constexpr double kDistance = 3.9, kHandHeight = 0.90;
-  // Wide enough for the club in landscape, for the golfer in portrait.
+  // Room above and beside a tall golfer for his club in landscape; in portrait as wide as the golfer.
   const double aspect = static_cast<double>(width_px) / height_px;
-  const double seen_height = std::max(3.0, 2.0 / aspect);
+  const double seen_height = std::max(4.0, 2.2 / aspect);
   const double angle = 2 * std::atan(0.5 * seen_height / kDistance);
   const double middle_height = 1.02;
   const double right = hand == Handedness::Right ? 1 : -1;
