@@ -41,7 +41,10 @@ StudentInput student_input(const LoadedMotion& student, const std::optional<Skel
 Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   const Result<RetargetMethod> method = retarget_method_from_string(arguments.method);
   if (!method) return tl::unexpected(method.error());
-  if (const Result<void> checked = check_outputs(arguments.outputs); !checked) return checked;
+  if (const Result<void> checked =
+          check_outputs(arguments.outputs, {arguments.coach, arguments.student, arguments.body});
+      !checked)
+    return checked;
   listen_to_interrupts();
   ProgressBar bar;
   LoadOptions load{pose, {}, bar.progress()};
@@ -64,9 +67,10 @@ Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   if (const Result<void> written = write_outputs(arguments.outputs, *student, *pair, bar.progress());
       !written)
     return written;
-  // Standard output belongs to the JSON when it was asked for there.
+  // Standard output belongs to the JSON or the page when they were asked for there.
+  const bool is_taken = arguments.outputs.json == "-" || arguments.outputs.report == "-";
   const std::string lines = summary(pair->analysis);
-  std::fputs(lines.c_str(), arguments.outputs.json == "-" ? stderr : stdout);
+  std::fputs(lines.c_str(), is_taken ? stderr : stdout);
   return {};
 }
 

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <set>
 
+#include "app/output_check.h"
 #include "capture/open_source.h"
 #include "capture/video_writer.h"
+#include "core/base/atomic_file.h"
 #include "core/base/file.h"
 #include "core/coaching/analysis_json.h"
 #include "core/coaching/body_axes.h"
@@ -113,18 +114,10 @@ Result<std::vector<ReportPicture>> draw(const AnalyzeOutputs& outputs, const Loa
 
 }  // namespace
 
-Result<void> check_outputs(const AnalyzeOutputs& outputs) {
-  std::set<std::string> seen;
-  for (const std::string& name : {outputs.json, outputs.report, outputs.video}) {
-    if (name.empty() || name == "-") continue;
-    if (!seen.insert(std::filesystem::path(name).lexically_normal().string()).second)
-      return fail(ErrorCode::InvalidArgument, name + " is named for two outputs");
-    const std::filesystem::path folder = std::filesystem::path(name).parent_path();
-    std::error_code ignored;
-    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-      return fail(ErrorCode::NotFound, name + ": there is no folder " + folder.string());
-  }
-  return {};
+Result<void> check_outputs(const AnalyzeOutputs& outputs, const std::vector<std::string>& inputs) {
+  if (outputs.video == "-" || is_special_file(outputs.video))
+    return fail(ErrorCode::InvalidArgument, "--video " + outputs.video + ": a film needs a file");
+  return check_output_files({outputs.json, outputs.report, outputs.video}, inputs);
 }
 
 Result<void> write_outputs(const AnalyzeOutputs& outputs, const LoadedMotion& student,

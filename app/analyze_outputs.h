@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/load_motion.h"
 #include "core/base/progress.h"
@@ -10,12 +11,11 @@
 namespace posecoach {
 
 struct AnalyzeOutputs {
-  std::string json, report, video;  // file names; empty for none; json may be "-"
+  std::string json, report, video;  // file names; empty for none; json or report may be "-"
 };
 
-// Every folder to be written to exists, and nothing is named twice: found before the long work starts.
-// Errors: NotFound, InvalidArgument.
-Result<void> check_outputs(const AnalyzeOutputs& outputs);
+// As check_output_files (app/output_check.h); a film goes to a file only.
+Result<void> check_outputs(const AnalyzeOutputs& outputs, const std::vector<std::string>& inputs);
 
 // Each file is written whole or not at all; the film and the report come before the JSON.
 Result<void> write_outputs(const AnalyzeOutputs& outputs, const LoadedMotion& student,

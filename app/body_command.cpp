@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/load_motion.h"
+#include "app/output_check.h"
 #include "app/pose_options.h"
 #include "app/progress_bar.h"
 #include "core/body/body_file.h"
@@ -18,6 +19,8 @@ struct Arguments {
 };
 
 Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
+  if (const Result<void> checked = check_output_files({arguments.output}, {arguments.input}); !checked)
+    return checked;
   std::optional<double> height;
   if (arguments.height_m > 0) height = arguments.height_m;
   ProgressBar bar;

@@ -14,6 +14,16 @@
 namespace posecoach {
 namespace {
 
+// One line: what is wrong with the command line, and where to read how it is right.
+std::string usage_line(const CLI::App* cli, const CLI::Error& error) {
+  std::string help = cli->get_name();
+  for (const CLI::App* at = cli; !at->get_subcommands().empty();) {
+    at = at->get_subcommands().front();
+    help += " " + at->get_name();
+  }
+  return std::string("posecoach: ") + error.what() + "; try: " + help + " --help\n";
+}
+
 int run(int argc, char** argv) {
   CLI::App cli("Virtual Pose Coach: your coach's motion in your own body", "posecoach");
   Action action;
@@ -29,12 +39,16 @@ int run(int argc, char** argv) {
   add_evaluate_retarget_command(*evaluate, action);
   add_simulate_command(cli, action);
   add_bench_command(cli, action);
+  cli.failure_message(usage_line);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : 2;
   }
-  if (!action) return 0;
+  if (!action) {
+    std::fputs(cli.help().c_str(), stdout);
+    return 0;
+  }
   const Result<void> done = action();
   if (done) return 0;
   std::fprintf(stderr, "posecoach: %s\n", done.error().message.c_str());

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "app/output_check.h"
 #include "app/pose_options.h"
 #include "app/progress_bar.h"
 #include "capture/open_source.h"
@@ -15,6 +16,7 @@ namespace {
 
 Result<void> write_poses(const std::string& input, const std::string& output,
                          const PoseTrackerOptions& options) {
+  if (const Result<void> checked = check_output_files({output}, {input}); !checked) return checked;
   auto source = open_source(input);
   if (!source) return tl::unexpected(source.error());
   auto tracker = PoseTracker::make(options);

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/load_motion.h"
+#include "app/output_check.h"
 #include "app/pose_options.h"
 #include "app/progress_bar.h"
 #include "core/motion/motion_file.h"
@@ -36,6 +37,10 @@ void print_summary(const Arguments& arguments, const RetargetResult& result) {
 Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   const auto method = retarget_method_from_string(arguments.method);
   if (!method) return tl::unexpected(method.error());
+  if (const Result<void> named = check_motion_file_name(arguments.output); !named) return named;
+  if (const Result<void> checked = check_output_files({arguments.output}, {arguments.motion, arguments.body});
+      !checked)
+    return checked;
   ProgressBar bar;
   const LoadOptions options{pose, {}, bar.progress()};
   const Result<SkeletonFile> body = load_body(arguments.body, options);

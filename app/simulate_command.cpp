@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/output_check.h"
 #include "app/progress_bar.h"
 #include "app/simulate_truth.h"
 #include "capture/simulated_source.h"
@@ -55,6 +56,9 @@ Result<void> write_film(SimulatedStudent& student, const std::string& path) {
 }
 
 Result<void> simulate(const Options& options, const SimulatedStudentOptions& chosen) {
+  if (const Result<void> checked = check_output_files({options.output, options.truth}, {options.body});
+      !checked)
+    return checked;
   Result<std::unique_ptr<SimulatedStudent>> student = SimulatedStudent::make(chosen);
   if (!student) return tl::unexpected(student.error());
   if (auto written = write_film(**student, options.output); !written) return written;

@@ -18,6 +18,7 @@ extern "C" {
 
 #include "capture/ffmpeg.h"
 #include "capture/sound_track.h"
+#include "core/base/atomic_file.h"
 
 namespace posecoach {
 namespace fs = std::filesystem;
@@ -60,8 +61,8 @@ int even(int size) {
 
 class VideoWriter::Implementation {
  public:
-  Implementation(fs::path path, const VideoWriterOptions& options)
-      : path_(std::move(path)),
+  Implementation(const fs::path& path, const VideoWriterOptions& options)
+      : path_(behind_links(path)),
         temporary_(path_.string() + ".tmp" + std::to_string(::getpid()) + ".mp4"),
         options_(options) {}
 
@@ -72,6 +73,10 @@ class VideoWriter::Implementation {
 
   Result<void> open() {
     keep_ffmpeg_quiet();
+    // An MP4's index is written last and read first: it cannot go down a pipe.
+    if (path_ == "-" || is_special_file(path_))
+      return fail(ErrorCode::InvalidArgument,
+                  "cannot write " + path_.string() + ": a film needs a file, not a device or a pipe");
     if (auto opened = open_encoder(); !opened) return opened;
     AVFormatContext* format = nullptr;
     if (const int made = avformat_alloc_output_context2(&format, nullptr, "mp4", temporary_.c_str());

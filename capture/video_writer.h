@@ -22,8 +22,8 @@ struct VideoWriterOptions {
 };
 
 // Written beside the destination and renamed by finish(): until then, and after any error, there is no new
-// file at the path. Errors: InvalidArgument (sizes, times that do not increase), NotFound or Unreadable
-// (folder, permission, disk full), Unsupported (no H.264 encoder in this FFmpeg), Internal.
+// file at the path. Errors: InvalidArgument (a device or a pipe, sizes, times that do not increase), NotFound
+// or Unreadable (folder, permission, disk full), Unsupported (no H.264 encoder in this FFmpeg), Internal.
 class VideoWriter {
  public:
   static Result<std::unique_ptr<VideoWriter>> open(const std::filesystem::path& path,

@@ -33,16 +33,27 @@ Result<void> write_all(int descriptor, std::string_view bytes, const fs::path& p
 
 }  // namespace
 
-Result<AtomicFile> AtomicFile::create(const fs::path& path) {
-  if (path == "-") return AtomicFile(STDOUT_FILENO, "standard output", {});
+bool is_special_file(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
-    // Putting a file in the place of a device or a pipe would destroy it.
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) return tl::unexpected(system_error("cannot open", path));
-    return AtomicFile(descriptor, path, {});
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+fs::path behind_links(const fs::path& path) {
+  std::error_code failed;
+  if (!fs::is_symlink(path, failed)) return path;
+  fs::path target = fs::weakly_canonical(path, failed);
+  return failed ? path : target;
+}
+
+Result<AtomicFile> AtomicFile::create(const fs::path& name) {
+  if (name == "-") return AtomicFile(STDOUT_FILENO, "standard output", {});
+  if (is_special_file(name)) {
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return tl::unexpected(system_error("cannot open", name));
+    return AtomicFile(descriptor, name, {});
   }
+  const fs::path path = behind_links(name);
   fs::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return tl::unexpected(system_error("cannot create", path));

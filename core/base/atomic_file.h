@@ -9,11 +9,17 @@
 
 namespace posecoach {
 
+// A device, a pipe or a socket: whatever is renamed to its name would destroy it.
+bool is_special_file(const std::filesystem::path& path);
+
+// Where a renamed file has to arrive so that symbolic links on the way stay links: /dev/stdout, for one.
+std::filesystem::path behind_links(const std::filesystem::path& path);
+
 class AtomicFile {
  public:
-  // The path "-" is standard output, which cannot be taken back; nor can what goes to a device or a pipe.
+  // The name "-" is standard output, which cannot be taken back; nor can what goes to a device or a pipe.
   // Errors: Unreadable, NotFound (no such folder).
-  static Result<AtomicFile> create(const std::filesystem::path& path);
+  static Result<AtomicFile> create(const std::filesystem::path& name);
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
   // Without commit() nothing is left behind.

@@ -164,8 +164,18 @@ Result<SkeletonFile> read_skeleton_file(const fs::path& path, const MotionReadOp
   return SkeletonFile{file->motion.skeleton(), std::move(file->provenance)};
 }
 
+Result<void> check_motion_file_name(const fs::path& path) {
+  const std::string name = to_lower(path.filename().string());
+  for (const char* ending : {".bvh", ".trc", ".pose.json"})
+    if (name.ends_with(ending)) return {};
+  return fail(ErrorCode::InvalidArgument,
+              path.string() +
+                  ": a motion is written as .bvh, .trc or .pose.json; give the file one of these endings");
+}
+
 Result<void> write_motion_file(const fs::path& path, const Motion& motion,
                                const MotionProvenance& provenance) {
+  if (const Result<void> named = check_motion_file_name(path); !named) return named;
   const std::string name = to_lower(path.filename().string());
   if (name.ends_with(".bvh")) {
     const auto text = bvh_from_motion(motion, provenance);
@@ -174,11 +184,7 @@ Result<void> write_motion_file(const fs::path& path, const Motion& motion,
   }
   if (name.ends_with(".trc"))
     return write_file_atomically(path, trc_from_motion(path.filename().string(), motion));
-  if (name.ends_with(".pose.json"))
-    return write_file_atomically(path, pose_json_from_motion(motion, path.filename().string()));
-  return fail(ErrorCode::InvalidArgument,
-              path.string() +
-                  ": a motion is written as .bvh, .trc or .pose.json; give the file one of these endings");
+  return write_file_atomically(path, pose_json_from_motion(motion, path.filename().string()));
 }
 
 }  // namespace posecoach

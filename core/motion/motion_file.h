@@ -31,7 +31,11 @@ Result<MotionFile> read_motion_file(const std::filesystem::path& path, const Mot
 Result<SkeletonFile> read_skeleton_file(const std::filesystem::path& path,
                                         const MotionReadOptions& options = {});
 
-// The kind is told by the end of the name: .bvh, .trc or .pose.json. With the provenance of the file that the
+// Whether the end of the name tells a kind that can be written: .bvh, .trc or .pose.json.
+// Errors: InvalidArgument.
+Result<void> check_motion_file_name(const std::filesystem::path& path);
+
+// The kind is told by the end of the name. With the provenance of the file that the
 // motion's skeleton came from, a BVH gets its joints, names, channels, rest pose, axes and units.
 // Errors: InvalidArgument (another ending), Unsupported (a BVH without rotations), Unreadable.
 Result<void> write_motion_file(const std::filesystem::path& path, const Motion& motion,

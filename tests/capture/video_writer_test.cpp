@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <filesystem>
@@ -120,6 +121,14 @@ TEST_F(VideoWriterTest, refuses_what_it_cannot_write) {
   ASSERT_TRUE(writer->write(picture(320, 240, 1), media_time_from_seconds(1)));
   EXPECT_FALSE(writer->write(picture(320, 240, 2), media_time_from_seconds(1)));
   EXPECT_FALSE(writer->write(picture(322, 240, 2), media_time_from_seconds(2)));
+}
+
+TEST_F(VideoWriterTest, a_pipe_is_refused_and_stays_a_pipe) {
+  ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  const auto writer = VideoWriter::open(path_, {.width = 320, .height = 240});
+  ASSERT_FALSE(writer);
+  EXPECT_EQ(writer.error().code, ErrorCode::InvalidArgument);
+  EXPECT_TRUE(fs::is_fifo(path_));
 }
 
 TEST_F(VideoWriterTest, full_disk_is_an_error_and_leaves_nothing) {

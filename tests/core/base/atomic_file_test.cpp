@@ -40,5 +40,16 @@ TEST(AtomicFile, a_device_is_written_not_replaced) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
+TEST(AtomicFile, a_symbolic_link_stays_one_and_its_target_gets_the_bytes) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "posecoach_atomic_file_links";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  ASSERT_TRUE(write_file_atomically(folder / "target", "old"));
+  std::filesystem::create_symlink("target", folder / "link");
+  ASSERT_TRUE(write_file_atomically(folder / "link", "new"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(read_file(folder / "target").value(), "new");
+}
+
 }  // namespace
 }  // namespace posecoach
