@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "capture/open_source.h"
+#include "capture/picture_folder.h"
 #include "core/motion/bundled_motion.h"
 #include "core/motion/motion_file.h"
 #include "core/motion/pose_file.h"
@@ -17,6 +18,16 @@ constexpr std::string_view kSimulated = "simulated:";
 // Which of the ways to read a source is its own.
 enum class SourceKind { Bundled, MotionFile, PoseFile, OpenPoseFolder, Film };
 
+// Pictures are worth more than OpenPose's flat joints, which may lie beside them.
+SourceKind kind_of_folder(const std::string& folder) {
+  if (open_picture_folder(folder)) return SourceKind::Film;
+  std::error_code failed;
+  for (std::filesystem::directory_iterator entry(folder, failed), end; !failed && entry != end;
+       entry.increment(failed))
+    if (entry->path().extension() == ".json") return SourceKind::OpenPoseFolder;
+  return SourceKind::Film;  // of nothing, which opening it will tell
+}
+
 Result<SourceKind> kind_of(const std::string& source) {
   if (source.starts_with(kBundled)) return SourceKind::Bundled;
   if (source.starts_with(kSimulated)) return SourceKind::Film;
@@ -30,7 +41,7 @@ Result<SourceKind> kind_of(const std::string& source) {
     case MotionFormat::PoseTrack:
       return SourceKind::PoseFile;
     case MotionFormat::OpenPoseFolder:
-      return SourceKind::OpenPoseFolder;
+      return kind_of_folder(source);
     default:
       return SourceKind::MotionFile;
   }

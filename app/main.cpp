@@ -24,6 +24,18 @@ std::string usage_line(const CLI::App* cli, const CLI::Error& error) {
   return std::string("posecoach: ") + error.what() + "; try: " + help + " --help\n";
 }
 
+// A name out of a broken file may hold anything; the message stays one line.
+std::string one_line(std::string message) {
+  for (char& character : message)
+    if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
+  return message;
+}
+
+int fail_with(const std::string& message) {
+  std::fprintf(stderr, "posecoach: %s\n", one_line(message).c_str());
+  return 1;
+}
+
 int run(int argc, char** argv) {
   CLI::App cli("Virtual Pose Coach: your coach's motion in your own body", "posecoach");
   Action action;
@@ -50,9 +62,10 @@ int run(int argc, char** argv) {
     return 0;
   }
   const Result<void> done = action();
-  if (done) return 0;
-  std::fprintf(stderr, "posecoach: %s\n", done.error().message.c_str());
-  return 1;
+  if (!done) return fail_with(done.error().message);
+  // What was printed may still be on its way: to a full disk, for one.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return fail_with("cannot write standard output");
+  return 0;
 }
 
 }  // namespace

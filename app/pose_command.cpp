@@ -17,6 +17,7 @@ namespace {
 Result<void> write_poses(const std::string& input, const std::string& output,
                          const PoseTrackerOptions& options) {
   if (const Result<void> checked = check_output_files({output}, {input}); !checked) return checked;
+  ProgressBar bar;
   auto source = open_source(input);
   if (!source) return tl::unexpected(source.error());
   auto tracker = PoseTracker::make(options);
@@ -24,7 +25,6 @@ Result<void> write_poses(const std::string& input, const std::string& output,
   const FrameSourceInfo& info = (*source)->info();
   auto file = PoseTrackWriter::create(output, info.name, info.width, info.height);
   if (!file) return tl::unexpected(file.error());
-  ProgressBar bar;
   const auto done = track_poses(**source, **tracker, bar.progress(),
                                 [&](const PoseObservation& seen) { return file->add(seen); });
   if (!done) return tl::unexpected(done.error());

@@ -89,7 +89,8 @@ class AmcReader {
     const std::string_view word = scanner_.next();
     const auto number = parse_integer(word);
     if (!number || *number < 0 || *number > 100'000'000)
-      return scanner_.failure("expected the number of a frame, found " + in_quotes(word));
+      return scanner_.failure("expected the number of a frame, found " +
+                              (word.empty() ? "the end of the file" : in_quotes(word)));
     if (times_.empty())
       first_number_ = *number;
     else if (*number <= last_number_)
@@ -121,7 +122,7 @@ class AmcReader {
 
   Result<double> number_of(std::string_view bone) {
     double value = 0;
-    if (scanner_.next_number(value) && std::abs(value) <= kLargestNumber) return value;
+    if (scanner_.next_number(value, kLargestNumber)) return value;
     const std::string_view word = scanner_.next();
     return scanner_.failure(in_quotes(bone) + " needs a number, found " + in_quotes(word));
   }

@@ -56,7 +56,7 @@ class Parser {
 
   Result<double> number(const std::string& what) {
     double value = 0;
-    if (scanner_.next_number(value) && std::abs(value) <= kLargestNumber) return value;
+    if (scanner_.next_number(value, kLargestNumber)) return value;
     return scanner_.failure(what + " needs a number, found " + found(scanner_.next()));
   }
 
@@ -176,8 +176,7 @@ class Parser {
     for (std::size_t frame = 0; frame < frames; ++frame) {
       for (std::size_t channel = 0; channel < channels; ++channel) {
         double value = 0;
-        if (!scanner_.next_number(value) || std::abs(value) > kLargestNumber)
-          return bad_value(frame, channel);
+        if (!scanner_.next_number(value, kLargestNumber)) return bad_value(frame, channel);
         document_.values.push_back(value);
       }
       if (!scanner_.at_line_end()) return not_at_line_end(frame);

@@ -31,8 +31,9 @@ class TextScanner {
   std::string_view next();
   std::string_view peek();
   bool at_end() { return peek().empty(); }
-  // The next word as a finite number; when it is none, false and the word is still there to be looked at.
-  bool next_number(double& value);
+  // The next word as a finite number of at most `largest`, either sign; when it is none, false and the word
+  // is still there to be looked at.
+  bool next_number(double& value, double largest);
   // What remains of the line after the last word, up to an opening brace, without blanks at its ends.
   std::string_view rest_of_name();
   // Leaves out what remains of the line.

@@ -55,7 +55,9 @@ Result<fs::path> find_model_file(const std::string& file_name, const std::option
     std::error_code ignored;
     if (fs::is_regular_file(folder / file_name, ignored)) return folder / file_name;
   }
-  const std::string where = given ? given->string() : folders[folders.size() - 2].string();
+  // The last one is the system's; the one before it is where the set-up puts them, if there is a home.
+  const std::string where =
+      given ? given->string() : folders[folders.size() < 2 ? 0 : folders.size() - 2].string();
   return fail(ErrorCode::NotFound, "the pose model " + file_name + " is not in " + where +
                                        "; run scripts/setup to install the models, or name their folder with "
                                        "--models");

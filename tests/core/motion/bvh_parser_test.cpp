@@ -104,6 +104,7 @@ TEST(BvhParser, every_mistake_is_one_line_that_names_file_and_line) {
   expect_malformed(sample_with("1 2 3 90", "1 2 x 90"), "20",
                    "\"x\" is not a usable number (frame 2 of 2, number 3 of 9)");
   expect_malformed(sample_with("1 2 3 90", "1 2 inf 90"), "20", "\"inf\" is not a usable number");
+  expect_malformed(sample_with("1 2 3 90", "1 2 1e300 90"), "20", "\"1e300\" is not a usable number");
   expect_malformed(sample_with("1 2 3 90 0 0 90 0 0\n", "1 2 3 90"), "20",
                    "ends too early, in frame 2 of 2, number 5 of 9");
   expect_malformed(sample_with("1 2 3 0 0 0 0 0 0\n", "1 2 3 0 0 0 0 0\n"), "20",
