@@ -207,9 +207,9 @@ class FilmDecoder::Implementation {
   bool is_damaged() const { return damaged_; }
 
  private:
-  // Edit lists may hide a few pictures of a healthy film, and claimed lengths are rounded.
+  // Of a trimmed film the edit list hides pictures, often half of them; and claimed lengths are rounded.
   bool ends_early() const {
-    if (facts_.frame_count) return decoded_ + decoded_ / 10 + 2 < *facts_.frame_count;
+    if (facts_.frame_count) return decoded_ + hidden_ + decoded_ / 10 + 2 < *facts_.frame_count;
     if (!claimed_length_ || !last_) return false;
     // Some containers count the length from zero, not from a later start.
     const double end_s = to_seconds(*last_) + std::max(0.0, start_ ? to_seconds(*start_) : 0.0);
@@ -225,6 +225,7 @@ class FilmDecoder::Implementation {
         break;
       }
       const bool ours = packet_->stream_index == stream_.index;
+      hidden_ += ours && (packet_->flags & AV_PKT_FLAG_DISCARD) != 0 ? 1U : 0U;
       const int sent = ours ? avcodec_send_packet(codec_.get(), packet_.get()) : 0;
       damaged_ |= ours && (sent < 0 || (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0);
       av_packet_unref(packet_.get());
@@ -260,6 +261,7 @@ class FilmDecoder::Implementation {
   std::optional<Duration> claimed_length_;
   std::optional<MediaTime> last_;
   std::size_t decoded_ = 0;
+  std::size_t hidden_ = 0;
   bool at_end_ = false;
   bool damaged_ = false;
 };
