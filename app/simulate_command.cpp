@@ -37,11 +37,12 @@ Result<SimulatedStudentOptions> student_options(const Options& options) {
 }
 
 Result<void> write_film(SimulatedStudent& student, const std::string& path) {
+  // Before there is a file to leave behind.
+  listen_to_interrupts();
   const FrameSourceInfo& info = student.info();
   auto writer =
       VideoWriter::open(path, {.width = info.width, .height = info.height, .nominal_fps = info.nominal_fps});
   if (!writer) return tl::unexpected(writer.error());
-  listen_to_interrupts();
   ProgressBar bar;
   const Progress progress = bar.progress();
   const auto frames = static_cast<double>(*info.frame_count);
