@@ -2,6 +2,12 @@
 
 namespace posecoach {
 
+std::string one_line(std::string message) {
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';
+  return message;
+}
+
 std::string_view to_string(ErrorCode code) {
   switch (code) {
     case ErrorCode::NotFound:

@@ -30,9 +30,12 @@ struct Error {
 template <typename T>
 using Result = tl::expected<T, Error>;
 
+// The message with every control character as '?': names from foreign files must not break the line.
+std::string one_line(std::string message);
+
 // Usage: `return fail(ErrorCode::Malformed, "swing.bvh:12: a joint needs an OFFSET");`
 inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
-  return tl::unexpected<Error>(Error{code, std::move(message)});
+  return tl::unexpected<Error>(Error{code, one_line(std::move(message))});
 }
 
 std::string_view to_string(ErrorCode code);

@@ -1,6 +1,7 @@
 #include "core/motion/motion_file.h"
 
-#include <algorithm>
+#include <fstream>
+#include <optional>
 
 #include "core/base/file.h"
 #include "core/body/body_file.h"
@@ -19,19 +20,28 @@ namespace {
 constexpr std::string_view kKnownKinds =
     ".bvh, .asf with .amc, .c3d, .trc, .pose.json, or a folder of OpenPose JSON";
 
+constexpr std::size_t kSearched = std::size_t{1} << 16;
+
 std::string_view without_byte_order_mark(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   return text;
 }
 
 bool begins_with_word(std::string_view text, std::string_view word) {
-  return equals_ignoring_case(trimmed(text.substr(0, text.size())).substr(0, word.size()), word);
+  return equals_ignoring_case(text.substr(0, word.size()), word);
 }
 
 // An .asf is a skeleton, an .amc a motion; both begin with comments and keywords after colons.
 bool has_keyword(std::string_view text, std::string_view keyword) {
-  constexpr std::size_t kSearched = 1 << 16;
   return to_lower(text.substr(0, kSearched)).find(keyword) != std::string::npos;
+}
+
+// A header of one block that points to parameters with a known processor type.
+bool looks_like_c3d(std::string_view bytes) {
+  constexpr std::size_t kBlock = 512;
+  if (bytes.size() < kBlock || bytes[0] < 1 || bytes[1] != 0x50) return false;
+  const std::size_t processor = (static_cast<std::size_t>(bytes[0]) - 1) * kBlock + 3;
+  return processor < bytes.size() && bytes[processor] >= 84 && bytes[processor] <= 86;
 }
 
 std::optional<MotionFormat> format_by_content(std::string_view bytes) {
@@ -39,7 +49,7 @@ std::optional<MotionFormat> format_by_content(std::string_view bytes) {
   const std::string_view head = trimmed(without_byte_order_mark(bytes.substr(0, kHead)));
   if (begins_with_word(head, "HIERARCHY")) return MotionFormat::Bvh;
   if (head.starts_with("PathFileType")) return MotionFormat::Trc;
-  if (bytes.size() >= 512 && bytes[1] == 0x50 && bytes[0] > 0 && bytes[0] < 64) return MotionFormat::C3d;
+  if (looks_like_c3d(bytes)) return MotionFormat::C3d;
   if (head.starts_with('{')) {
     if (bytes.find("\"posecoach.body/1\"") != std::string_view::npos) return MotionFormat::BodyFile;
     if (bytes.find("\"posecoach.pose/1\"") == std::string_view::npos) return std::nullopt;
@@ -65,22 +75,59 @@ std::optional<MotionFormat> format_by_name(const fs::path& path) {
   return std::nullopt;
 }
 
+// Films, too, are asked what they are: their beginning must do.
+Result<std::string> read_beginning(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error))
+    return fail(ErrorCode::NotFound, "cannot open " + path.string() + ": no such file");
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(kSearched, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!file && !file.eof()) return fail(ErrorCode::Unreadable, "cannot read " + path.string());
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+bool is_picture(const fs::path& path) {
+  const std::string ending = to_lower(path.extension().string());
+  return ending == ".jpg" || ending == ".jpeg" || ending == ".png" || ending == ".bmp" || ending == ".webp";
+}
+
+Result<MotionFormat> format_of_folder(const fs::path& path) {
+  bool has_json = false, has_pictures = false;
+  std::error_code error;
+  for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
+    has_json |= to_lower(it->path().extension().string()) == ".json";
+    has_pictures |= is_picture(it->path());
+  }
+  if (error)
+    return fail(ErrorCode::Unreadable, "cannot read the folder " + path.string() + ": " + error.message());
+  if (has_json && !has_pictures) return MotionFormat::OpenPoseFolder;
+  return fail(ErrorCode::Unsupported, path.string() + " is no folder of OpenPose JSON");
+}
+
+Result<MotionFormat> format_of(const fs::path& path, std::string_view bytes) {
+  if (bytes.empty()) return fail(ErrorCode::Malformed, path.string() + ":1: the file is empty");
+  auto format = format_by_content(bytes);
+  if (!format) format = format_by_name(path);
+  if (!format)
+    return fail(ErrorCode::Unsupported,
+                path.string() + " is no motion file that can be read (" + std::string(kKnownKinds) + ")");
+  return *format;
+}
+
 struct Content {
   MotionFormat format;
   std::string bytes;
 };
 
 Result<Content> read_content(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return Content{MotionFormat::OpenPoseFolder, {}};
+  // A film is told by its beginning, without being read whole.
+  const auto format = motion_format(path);
+  if (!format) return tl::unexpected(format.error());
+  if (*format == MotionFormat::OpenPoseFolder) return Content{*format, {}};
   auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (bytes->empty()) return fail(ErrorCode::Malformed, path.string() + ":1: the file is empty");
-  auto format = format_by_content(*bytes);
-  if (!format) format = format_by_name(path);
-  if (!format)
-    return fail(ErrorCode::Unsupported,
-                path.string() + " is no motion file that can be read (" + std::string(kKnownKinds) + ")");
   return Content{*format, *std::move(bytes)};
 }
 
@@ -114,9 +161,16 @@ Result<MotionFile> pose_motion(const std::string& name, std::string_view text) {
 }  // namespace
 
 Result<MotionFormat> motion_format(const fs::path& path) {
-  const auto content = read_content(path);
-  if (!content) return tl::unexpected(content.error());
-  return content->format;
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return format_of_folder(path);
+  const auto beginning = read_beginning(path);
+  if (!beginning) return tl::unexpected(beginning.error());
+  // Where in a JSON file its schema stands is free.
+  if (!trimmed(without_byte_order_mark(*beginning)).starts_with('{') || beginning->size() < kSearched)
+    return format_of(path, *beginning);
+  const auto bytes = read_file(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return format_of(path, *bytes);
 }
 
 Result<MotionFile> read_motion_file(const fs::path& path, const MotionReadOptions& options) {

@@ -19,6 +19,7 @@ struct MotionReadOptions {
   double amc_frames_per_second = 120;
 };
 
+// Reads no more than it must: films and folders of pictures may be asked, and are Unsupported.
 // Errors: NotFound, Unreadable, Unsupported (none of the known kinds; the message lists them), Malformed.
 Result<MotionFormat> motion_format(const std::filesystem::path& path);
 

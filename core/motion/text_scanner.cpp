@@ -124,7 +124,7 @@ bool TextScanner::at_line_end() {
 }
 
 Error TextScanner::error(const std::string& message, ErrorCode code) const {
-  return Error{code, std::string(file_name_) + ":" + std::to_string(word_line_) + ": " + message};
+  return Error{code, std::string(file_name_) + ":" + std::to_string(word_line_) + ": " + one_line(message)};
 }
 
 bool LineReader::next(std::string_view& line) {
@@ -138,7 +138,7 @@ bool LineReader::next(std::string_view& line) {
 }
 
 Error LineReader::error(const std::string& message, ErrorCode code) const {
-  return Error{code, std::string(file_name_) + ":" + std::to_string(line_) + ": " + message};
+  return Error{code, std::string(file_name_) + ":" + std::to_string(line_) + ": " + one_line(message)};
 }
 
 }  // namespace posecoach

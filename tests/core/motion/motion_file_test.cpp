@@ -92,6 +92,23 @@ TEST(MotionFile, a_film_s_landmarks_are_no_motion_yet) {
   EXPECT_EQ(read_motion_file(path).error().code, ErrorCode::Unsupported);
 }
 
+TEST(MotionFile, folders_of_pictures_and_long_films_are_none) {
+  const auto folder = scratch("pictures");
+  std::filesystem::create_directories(folder);
+  ASSERT_TRUE(write_file_atomically(folder / "1.png", "x"));
+  ASSERT_TRUE(write_file_atomically(folder / "truth.json", "{}"));
+  EXPECT_EQ(motion_format(folder).error().code, ErrorCode::Unsupported);
+  std::filesystem::resize_file(file_with("long.mp4", "ftyp"), std::uintmax_t{1} << 34);  // a hole, no bytes
+  EXPECT_EQ(motion_format(scratch("long.mp4")).error().code, ErrorCode::Unsupported);
+  std::filesystem::remove(scratch("long.mp4"));
+}
+
+TEST(MotionFile, a_long_json_may_say_at_its_end_what_it_is) {
+  std::string text = "{\"frames\": [], \"source\": \"" + std::string(200'000, 'x') +
+                     "\", \"joints\": [], \"schema\": \"posecoach.pose/1\"}";
+  EXPECT_EQ(motion_format(file_with("sorted.json", text)).value(), MotionFormat::PoseTrack);
+}
+
 TEST(SkeletonFile, comes_from_motions_bodies_and_skeletons_alone) {
   const Skeleton body = make_standard_body();
   ASSERT_TRUE(write_body_file(scratch("a.body.json"), body));
