@@ -13,6 +13,7 @@
 #include "core/coaching/analysis_json.h"
 #include "core/coaching/body_axes.h"
 #include "core/coaching/posture.h"
+#include "core/image/image_codec.h"
 #include "ui/render/egl_context.h"
 #include "ui/report/motion_stills.h"
 #include "ui/report/overlay_film.h"
@@ -27,6 +28,8 @@ constexpr double kPlainFrames_hz = 60;
 constexpr std::uint8_t kPlainGrey = 235;
 constexpr double kCameraDistance_m = 4.4, kCameraHeight_m = 1.15, kAimHeight_m = 0.95;
 constexpr double kViewAngle_deg = 30;
+// Films are drawn at most this large: larger ones cost gigabytes to encode and show no more of a swing.
+constexpr int kLongestSide_px = 1920;
 
 // The pictures to draw over: the student's film again, or plain ones at the motion's times.
 struct Pictures {
@@ -40,8 +43,18 @@ Result<Pictures> film_pictures(const LoadedMotion& student) {
   Result<std::unique_ptr<FrameSource>> opened = open_source(student.source);
   if (!opened) return tl::unexpected(opened.error());
   const std::shared_ptr<FrameSource> film = *std::move(opened);
-  Pictures pictures{
-      student.student->lifted.camera, [film] { return film->next({}); }, film->info().nominal_fps, {}};
+  const PinholeCamera& camera = student.student->lifted.camera;
+  const double factor =
+      std::min(1.0, static_cast<double>(kLongestSide_px) / std::max(camera.width_px, camera.height_px));
+  const PinholeCamera drawn = scaled(camera, factor);
+  const NextFrame next = [film, drawn]() -> Result<std::optional<Frame>> {
+    Result<std::optional<Frame>> frame = film->next({});
+    if (frame && *frame &&
+        ((*frame)->image->width > drawn.width_px || (*frame)->image->height > drawn.height_px))
+      (*frame)->image = std::make_shared<Image>(resized(*(*frame)->image, drawn.width_px, drawn.height_px));
+    return frame;
+  };
+  Pictures pictures{drawn, next, film->info().nominal_fps, {}};
   if (std::filesystem::is_regular_file(student.source)) pictures.sound_from = student.source;
   return pictures;
 }

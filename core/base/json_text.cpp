@@ -104,7 +104,8 @@ class Walker : public nlohmann::json_sax<Json> {
 
  private:
   bool refuse(const std::string& message, ErrorCode code = ErrorCode::Malformed) {
-    if (!error) error = Error{code, std::string(file_name_) + ":" + std::to_string(line) + ": " + one_line(message)};
+    if (!error)
+      error = Error{code, std::string(file_name_) + ":" + std::to_string(line) + ": " + one_line(message)};
     return false;
   }
   bool handed_over(const Result<void>& answer) {

@@ -1,5 +1,6 @@
 #include "core/image/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -11,6 +12,16 @@ std::optional<Vec2> PinholeCamera::project(const Vec3& world) const {
   const Vec3 p = camera_from_world(world);
   if (p.z <= 1e-6) return std::nullopt;
   return Vec2(focal_px * p.x / p.z + centre_px.x, focal_px * p.y / p.z + centre_px.y);
+}
+
+PinholeCamera scaled(const PinholeCamera& camera, double factor) {
+  POSECOACH_ASSERT(factor > 0);
+  PinholeCamera other = camera;
+  other.width_px = std::max(1, static_cast<int>(std::lround(factor * camera.width_px)));
+  other.height_px = std::max(1, static_cast<int>(std::lround(factor * camera.height_px)));
+  other.focal_px *= factor;
+  other.centre_px *= factor;
+  return other;
 }
 
 PinholeCamera make_camera_looking_at(const Vec3& eye, const Vec3& target, double vertical_view_angle,

@@ -26,6 +26,9 @@ struct PinholeCamera {
   std::optional<Vec2> project(const Vec3& world) const;
 };
 
+// The same camera with a picture `factor` times as large.
+PinholeCamera scaled(const PinholeCamera& camera, double factor);
+
 // A camera at `eye` that looks at `target` with the world's up upwards; `vertical_view_angle` in radians.
 PinholeCamera make_camera_looking_at(const Vec3& eye, const Vec3& target, double vertical_view_angle,
                                      int width_px, int height_px);

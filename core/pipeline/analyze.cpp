@@ -78,6 +78,13 @@ void count_in_film_frames(Analysis& analysis, const StudentInput& student) {
   analysis.student.joints = student.joints;
 }
 
+// A coach who has the student's body already is compared as he is: nothing is carried over, so nothing needs
+// mending.
+Result<RetargetResult> in_body(const Motion& coach, const Skeleton& body, const RetargetOptions& options) {
+  if (coach.skeleton() == body) return RetargetResult{coach, bone_length_error(coach), {}};
+  return retarget(coach, body, options);
+}
+
 }  // namespace
 
 StudentInput student_from_motion(std::string source, const Motion& motion) {
@@ -115,9 +122,10 @@ Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coac
   const Motion right_coach =
       hand_of(coach.motion) == Handedness::Left ? mirrored(coach.motion) : coach.motion;
   const Result<RetargetResult> personal =
-      retarget(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
+      in_body(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
   if (!personal) return fail(personal.error().code, coach.source + ": " + personal.error().message);
-  Result<Analysis> analysis = compare(student.motion, personal->motion, {hand, student.view, student.sight, student.source, coach.source});
+  Result<Analysis> analysis = compare(student.motion, personal->motion,
+                                      {hand, student.view, student.sight, student.source, coach.source});
   if (!analysis) return tl::unexpected(analysis.error());
 
   Motion drawn =

@@ -83,6 +83,13 @@ Motion scaled_motion(const Motion& coach, const Motion& turned, const JointMappi
   return *std::move(made);
 }
 
+constexpr std::array<std::pair<RetargetMethod, std::string_view>, 3> kMethodNames = {
+    {{RetargetMethod::Rotation, "rotation"},
+     {RetargetMethod::Direction, "direction"},
+     {RetargetMethod::Scale, "scale"}}};
+
+}  // namespace
+
 double bone_length_error(const Motion& motion) {
   const Skeleton& skeleton = motion.skeleton();
   double worst = 0;
@@ -96,13 +103,6 @@ double bone_length_error(const Motion& motion) {
     }
   return worst;
 }
-
-constexpr std::array<std::pair<RetargetMethod, std::string_view>, 3> kMethodNames = {
-    {{RetargetMethod::Rotation, "rotation"},
-     {RetargetMethod::Direction, "direction"},
-     {RetargetMethod::Scale, "scale"}}};
-
-}  // namespace
 
 std::string_view to_string(RetargetMethod method) {
   for (const auto& [known, name] : kMethodNames)

@@ -47,6 +47,10 @@ struct RetargetResult {
   ContactReport contacts;
 };
 
+// The largest relative difference between a bone of the motion, in any frame, and the same bone of its
+// skeleton.
+double bone_length_error(const Motion& motion);
+
 // Errors: Incomplete naming the joints that either skeleton lacks.
 Result<RetargetResult> retarget(const Motion& coach, const Skeleton& body,
                                 const RetargetOptions& options = {});

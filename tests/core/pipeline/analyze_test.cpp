@@ -46,6 +46,15 @@ TEST(Analyze, the_same_motion_scores_alike_on_every_body_and_worse_when_not_pers
   }
 }
 
+TEST(Analyze, a_motion_against_itself_has_a_raw_score_of_zero) {
+  const Motion swing = swing_on({.height_m = 1.7, .arms = 1.1}, 60);
+  const Analysis analysis = analyzed(swing, swing).analysis;
+  EXPECT_EQ(analysis.score.raw, 0);
+  EXPECT_EQ(analysis.score.percent, 100);
+  ASSERT_EQ(analysis.advice.size(), 1U);
+  EXPECT_EQ(analysis.advice[0].kind, AdviceKind::None);
+}
+
 TEST(Analyze, fills_in_sources_method_and_bone_lengths) {
   const Motion coach = swing_on({.height_m = 1.8}, 60), student = swing_on({.height_m = 1.65}, 30);
   const Analysis analysis = analyzed(student, coach).analysis;
