@@ -60,7 +60,8 @@ class EndToEnd : public testing::Test {
   static inline std::string film_;
 };
 
-// Shoulders, elbows, wrists, hips, knees and ankles; the face and the fingers of a body of capsules lie further off.
+// Shoulders, elbows, wrists, hips, knees and ankles; the face and the fingers of a body of capsules lie
+// further off.
 TEST_F(EndToEnd, the_joints_of_arms_and_legs_are_seen_within_five_pixels_of_where_they_are) {
   const json truth = read_json(file("truth.json")), seen = read_json(file("seen.pose.json"));
   ASSERT_EQ(seen["joints"].size(), 33U);
