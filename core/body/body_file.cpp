@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/base/json_text.h"
 #include "core/body/body_measurement.h"
 #include "core/body/landmark_body.h"
 
@@ -19,38 +20,41 @@ std::optional<HumanoidJoint> role_by_name(const std::string& name) {
   return std::nullopt;
 }
 
-int parent_index(const Json& parent, const std::vector<Joint>& before) {
+// `parent`: null, a name, or a number that is the parent's place in the list.
+Result<int> parent_index(const nlohmann::json& parent, const std::vector<Joint>& before) {
   if (parent.is_null()) return kNoJoint;
   if (parent.is_number_integer()) {
     const auto number = parent.get<long long>();
-    return number < 0 ? kNoJoint : static_cast<int>(std::min<long long>(number, 1 << 20));
+    if (number < 0) return kNoJoint;
+    if (number < static_cast<long long>(before.size())) return static_cast<int>(number);
   }
-  const std::string name = parent.get<std::string>();
-  for (std::size_t i = 0; i < before.size(); ++i)
-    if (before[i].name == name) return static_cast<int>(i);
-  throw std::runtime_error("the parent " + name + " is not listed before its child");
+  if (parent.is_string())
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i].name == parent.get<std::string>()) return static_cast<int>(i);
+  return fail(ErrorCode::Malformed, "the parent of a joint is not listed before it");
 }
 
-std::vector<Joint> joints_from(const Json& list) {
-  std::vector<Joint> joints;
-  for (const Json& entry : list) {
-    Joint joint;
-    joint.name = entry.at("name").get<std::string>();
-    joint.parent = parent_index(entry.at("parent"), joints);
-    const auto& offset = entry.at("offset_m");
-    if (!offset.is_array() || offset.size() != 3)
-      throw std::runtime_error("the offset_m of " + joint.name + " needs 3 numbers");
-    joint.offset = {offset[0].get<double>(), offset[1].get<double>(), offset[2].get<double>()};
-    if (entry.contains("role") && !entry["role"].is_null()) {
-      const std::string role = entry["role"].get<std::string>();
-      joint.role = humanoid_joint_from_string(role);
-      if (!joint.role) throw std::runtime_error("there is no role " + role);
-    } else {
-      joint.role = role_by_name(joint.name);
-    }
-    joints.push_back(std::move(joint));
+Result<Joint> joint_from(const nlohmann::json& entry, const std::vector<Joint>& before) {
+  Joint joint;
+  const auto name = json_string(entry, "name");
+  if (!name) return tl::unexpected(name.error());
+  joint.name = *name;
+  const auto parent = entry.find("parent");
+  if (parent == entry.end()) return fail(ErrorCode::Malformed, "\"" + joint.name + "\" has no \"parent\"");
+  const auto index = parent_index(*parent, before);
+  if (!index) return tl::unexpected(index.error());
+  joint.parent = *index;
+  const auto offset = json_vector(entry, "offset_m");
+  if (!offset) return tl::unexpected(offset.error());
+  joint.offset = *offset;
+  const auto role = entry.find("role");
+  if (role == entry.end() || role->is_null()) {
+    joint.role = role_by_name(joint.name);
+    return joint;
   }
-  return joints;
+  if (role->is_string()) joint.role = humanoid_joint_from_string(role->get<std::string>());
+  if (!joint.role) return fail(ErrorCode::Malformed, "\"" + joint.name + "\" has an unknown role");
+  return joint;
 }
 
 }  // namespace
@@ -68,18 +72,38 @@ std::string body_to_json(const Skeleton& body) {
 }
 
 Result<Skeleton> body_from_json(std::string_view json, std::string_view name) {
+  constexpr std::size_t kMostJoints = 4096;
   const std::string file(name);
-  try {
-    const Json parsed = Json::parse(json);
-    if (!parsed.is_object() || parsed.value("schema", "") != kSchema)
-      return fail(ErrorCode::Malformed,
-                  file + ": this is not a body file (its schema is not " + std::string(kSchema) + ")");
-    Result<Skeleton> made = Skeleton::make(joints_from(parsed.at("joints")));
-    if (!made) return fail(made.error().code, file + ": " + made.error().message);
-    return made;
-  } catch (const std::exception& error) {
-    return fail(ErrorCode::Malformed, file + ": not a valid body file: " + error.what());
-  }
+  std::vector<Joint> joints;
+  std::vector<std::size_t> lines;
+  bool has_schema = false;
+  JsonHandlers handlers;
+  handlers.on_field = [&](const JsonPiece& piece) -> Result<void> {
+    if (piece.key != "schema") return {};
+    has_schema = piece.value.is_string() && piece.value.get<std::string>() == kSchema;
+    if (!has_schema) return fail(ErrorCode::Malformed, "the schema is not " + std::string(kSchema));
+    return {};
+  };
+  handlers.on_element = [&](const JsonPiece& piece) -> Result<void> {
+    if (piece.key != "joints") return {};
+    if (joints.size() >= kMostJoints) return fail(ErrorCode::Unsupported, "more than 4096 joints");
+    auto joint = joint_from(piece.value, joints);
+    if (!joint) return tl::unexpected(joint.error());
+    joints.push_back(*std::move(joint));
+    lines.push_back(piece.line);
+    return {};
+  };
+  if (const auto walked = walk_json(name, json, handlers); !walked) return tl::unexpected(walked.error());
+  if (!has_schema)
+    return fail(ErrorCode::Malformed,
+                file + ":1: this is not a body file: it has no \"schema\": \"" + std::string(kSchema) + "\"");
+  if (joints.empty()) return fail(ErrorCode::Malformed, file + ":1: the body has no \"joints\"");
+  auto body = Skeleton::make(joints);
+  if (body) return body;
+  // A name or role that stands twice, a second root: told at the joint that brings it in.
+  std::size_t count = 1;
+  while (Skeleton::make({joints.begin(), joints.begin() + static_cast<std::ptrdiff_t>(count)})) ++count;
+  return fail(body.error().code, file + ":" + std::to_string(lines[count - 1]) + ": " + body.error().message);
 }
 
 Result<Skeleton> read_body_file(const std::filesystem::path& path) {

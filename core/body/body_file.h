@@ -15,7 +15,7 @@ namespace posecoach {
 std::string body_to_json(const Skeleton& body);
 
 // `name` stands in messages. A joint without "role" that is called like a canonical joint or like a landmark
-// gets that role. Errors: Malformed.
+// gets that role. Errors: Malformed with file and line; Unsupported (over 4096 joints).
 Result<Skeleton> body_from_json(std::string_view json, std::string_view name);
 
 Result<Skeleton> read_body_file(const std::filesystem::path& path);

@@ -21,6 +21,8 @@ constexpr std::string_view kKnownKinds =
     ".bvh, .asf with .amc, .c3d, .trc, .pose.json, or a folder of OpenPose JSON";
 
 constexpr std::size_t kSearched = std::size_t{1} << 16;
+// Hours of motion; what is read takes several times as much memory.
+constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 
 std::string_view without_byte_order_mark(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -126,7 +128,7 @@ Result<Content> read_content(const fs::path& path) {
   const auto format = motion_format(path);
   if (!format) return tl::unexpected(format.error());
   if (*format == MotionFormat::OpenPoseFolder) return Content{*format, {}};
-  auto bytes = read_file(path);
+  auto bytes = read_file(path, kMostBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   return Content{*format, *std::move(bytes)};
 }
@@ -168,7 +170,7 @@ Result<MotionFormat> motion_format(const fs::path& path) {
   // Where in a JSON file its schema stands is free.
   if (!trimmed(without_byte_order_mark(*beginning)).starts_with('{') || beginning->size() < kSearched)
     return format_of(path, *beginning);
-  const auto bytes = read_file(path);
+  const auto bytes = read_file(path, kMostBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   return format_of(path, *bytes);
 }

@@ -169,8 +169,19 @@ TEST(BodyFile, what_is_no_body_file_is_malformed_and_named) {
     const Result<Skeleton> read = body_from_json(text, "odd.body.json");
     ASSERT_FALSE(read) << text;
     EXPECT_EQ(read.error().code, ErrorCode::Malformed);
-    EXPECT_NE(read.error().message.find("odd.body.json"), std::string::npos);
+    EXPECT_EQ(read.error().message.find("odd.body.json:1: "), 0u) << read.error().message;
   }
+}
+
+TEST(BodyFile, the_joint_that_does_not_fit_is_found_by_its_line) {
+  const char* text =
+      "{\"schema\": \"posecoach.body/1\", \"joints\": [\n"
+      "{\"name\": \"a\", \"parent\": null, \"offset_m\": [0, 1, 0]},\n"
+      "{\"name\": \"b\", \"parent\": \"a\", \"offset_m\": [0, 1, 0]},\n"
+      "{\"name\": \"b\", \"parent\": \"a\", \"offset_m\": [0, 2, 0]},\n"
+      "{\"name\": \"c\", \"parent\": \"a\", \"offset_m\": [0, 2, 0]}]}";
+  EXPECT_EQ(body_from_json(text, "two.body.json").error().message,
+            "two.body.json:4: two joints are called b");
 }
 
 }  // namespace
