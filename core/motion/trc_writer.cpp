@@ -20,7 +20,7 @@ std::string trc_from_motion(std::string_view file_name, const Motion& motion) {
   const std::string frames = std::to_string(motion.frame_count()),
                     joints = std::to_string(motion.joint_count());
   std::string rate;
-  append_json_number(rate, motion.frame_rate() > 0 ? motion.frame_rate() : 1, 6);
+  append_json_number(rate, motion.frame_rate() > 0 ? motion.frame_rate() : 1, 3);
   std::string out = "PathFileType\t4\t(X/Y/Z)\t" + one_cell(file_name) +
                     "\nDataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\tOrigDataStartFrame\t"
                     "OrigNumFrames\n" +
