@@ -107,6 +107,16 @@ void add_analyze_command(CLI::App& cli, Action& action) {
       ->type_name("FILE.html");
   command->add_option("--video", arguments->outputs.video, "Write the film with both skeletons drawn over it")
       ->type_name("FILE.mp4");
+  command
+      ->add_option_function<std::string>(
+          "--palette",
+          [arguments](const std::string& name) {
+            arguments->outputs.palette =
+                name == "colour-blind" ? Palette::ColourBlindSafe : Palette::RedGreen;
+          },
+          "Colours of the report and the film: red-green (default) or colour-blind")
+      ->check(CLI::IsMember({"red-green", "colour-blind"}))
+      ->type_name("NAME");
   const auto pose = add_pose_options(*command);
   command->callback(
       [&action, arguments, pose] { action = [arguments, pose] { return run(*arguments, *pose); }; });

@@ -7,11 +7,13 @@
 #include "app/load_motion.h"
 #include "core/base/progress.h"
 #include "core/pipeline/analyze.h"
+#include "ui/render/figure.h"
 
 namespace posecoach {
 
 struct AnalyzeOutputs {
   std::string json, report, video;  // file names; empty for none; json or report may be "-"
+  Palette palette = Palette::RedGreen;
 };
 
 // As check_output_files (app/output_check.h); a film goes to a file only.

@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
   CLI::App cli("Virtual Pose Coach: your coach's motion in your own body", "posecoach");
   Action action;
   cli.require_subcommand(0, 1);
+  cli.set_version_flag("--version", "posecoach " POSECOACH_VERSION);
   add_analyze_command(cli, action);
   add_pose_command(cli, action);
   add_body_command(cli, action);

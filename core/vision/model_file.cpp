@@ -13,12 +13,12 @@ namespace {
 constexpr std::size_t kMostModelBytes = std::size_t{256} << 20;
 
 std::vector<fs::path> model_folders() {
-  std::vector<fs::path> folders;
   const auto variable = [](const char* name) -> std::string {
     const char* value = std::getenv(name);
     return value == nullptr ? "" : value;
   };
-  if (const std::string chosen = variable("POSECOACH_MODELS"); !chosen.empty()) folders.emplace_back(chosen);
+  if (const std::string chosen = variable("POSECOACH_MODELS"); !chosen.empty()) return {chosen};
+  std::vector<fs::path> folders;
   const fs::path inside = fs::path("virtual-pose-coach") / "models";
   if (const std::string data = variable("XDG_DATA_HOME"); !data.empty())
     folders.push_back(fs::path(data) / inside);
@@ -55,10 +55,8 @@ Result<fs::path> find_model_file(const std::string& file_name, const std::option
     std::error_code ignored;
     if (fs::is_regular_file(folder / file_name, ignored)) return folder / file_name;
   }
-  // The last one is the system's; the one before it is where the set-up puts them, if there is a home.
-  const std::string where =
-      given ? given->string() : folders[folders.size() < 2 ? 0 : folders.size() - 2].string();
-  return fail(ErrorCode::NotFound, "the pose model " + file_name + " is not in " + where +
+  // The first is the user's own: a chosen folder, or where the set-up puts them, if there is a home.
+  return fail(ErrorCode::NotFound, "the pose model " + file_name + " is not in " + folders.front().string() +
                                        "; run scripts/setup to install the models, or name their folder with "
                                        "--models");
 }

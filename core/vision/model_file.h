@@ -15,8 +15,8 @@ enum class PoseModel { Lite, Full, Heavy };
 inline constexpr const char* kDetectorFileName = "pose_detection.tflite";
 const char* landmark_file_name(PoseModel model);
 
-// The folder `given` by the user, if any; otherwise the first that holds the file of: $POSECOACH_MODELS,
-// $XDG_DATA_HOME/virtual-pose-coach/models (usually ~/.local/share/...),
+// The folder `given` by the user, if any; otherwise $POSECOACH_MODELS, if set; otherwise the first that holds
+// the file of $XDG_DATA_HOME/virtual-pose-coach/models (usually ~/.local/share/...),
 // /usr/share/virtual-pose-coach/models. Error: NotFound, which says how to install the models.
 Result<std::filesystem::path> find_model_file(const std::string& file_name,
                                               const std::optional<std::filesystem::path>& given);

@@ -30,13 +30,17 @@ TEST(ModelFile, a_missing_model_says_how_to_install_it) {
   EXPECT_THAT(found.error().message, HasSubstr("/nonexistent"));
 }
 
-TEST(ModelFile, the_given_folder_counts_alone_and_the_variable_comes_first_otherwise) {
+TEST(ModelFile, the_given_folder_counts_alone_and_so_does_the_variable_otherwise) {
   const fs::path given = make_folder("posecoach_models_given");
   const fs::path chosen = make_folder("posecoach_models_chosen");
   ASSERT_TRUE(write_file_atomically(chosen / "test_only.tflite", "x"));
   ::setenv("POSECOACH_MODELS", chosen.c_str(), 1);
   EXPECT_EQ(find_model_file("test_only.tflite", std::nullopt).value(), chosen / "test_only.tflite");
   EXPECT_FALSE(find_model_file("test_only.tflite", given));
+  ::setenv("POSECOACH_MODELS", "/nonexistent", 1);
+  const auto missing = find_model_file(kDetectorFileName, std::nullopt);
+  ASSERT_FALSE(missing) << "a wrong folder falls back silently to " << *missing;
+  EXPECT_THAT(missing.error().message, HasSubstr("/nonexistent"));
   ::unsetenv("POSECOACH_MODELS");
 }
 
