@@ -31,6 +31,7 @@ Result<std::variant<PoseTrack, Motion>> read_pose_json(std::string_view file_nam
 Result<PoseTrack> read_pose_track(const std::filesystem::path& path);
 
 std::string pose_json_from_motion(const Motion& motion, std::string_view source);
+std::string pose_json_from_track(const PoseTrack& track);
 
 // Writes a track frame by frame, so that a long film takes no memory. Without finish() no file appears.
 class PoseTrackWriter {

@@ -49,6 +49,13 @@ std::string head(std::string_view source, int width, int height) {
          ",\n \"width\": " + std::to_string(width) + ",\n \"height\": " + std::to_string(height) + ",\n";
 }
 
+std::string track_start(std::string_view source, int width, int height) {
+  std::string start = head(source, width, height) + " \"joints\": [";
+  for (std::size_t l = 0; l < kLandmarkCount; ++l)
+    start += (l == 0 ? "" : ", ") + json_quoted(to_string(static_cast<Landmark>(l)));
+  return start + "],\n \"frames\": [";
+}
+
 std::string frame_json(const PoseObservation& observation) {
   std::string out;
   append_frame_head(out, observation.frame_index, observation.time, observation.person.has_value());
@@ -126,15 +133,19 @@ std::string pose_json_from_motion(const Motion& motion, std::string_view source)
   return out + "\n]}\n";
 }
 
+std::string pose_json_from_track(const PoseTrack& track) {
+  std::string out = track_start(track.source, track.width, track.height);
+  for (std::size_t f = 0; f < track.frames.size(); ++f)
+    out += (f == 0 ? "\n  " : ",\n  ") + frame_json(track.frames[f]);
+  return out + "\n]}\n";
+}
+
 Result<PoseTrackWriter> PoseTrackWriter::create(const std::filesystem::path& path, std::string_view source,
                                                 int width, int height) {
   auto file = AtomicFile::create(path);
   if (!file) return tl::unexpected(file.error());
   PoseTrackWriter writer(*std::move(file));
-  std::string start = head(source, width, height) + " \"joints\": [";
-  for (std::size_t l = 0; l < kLandmarkCount; ++l)
-    start += (l == 0 ? "" : ", ") + json_quoted(to_string(static_cast<Landmark>(l)));
-  if (const auto written = writer.file_.write(start + "],\n \"frames\": ["); !written)
+  if (const auto written = writer.file_.write(track_start(source, width, height)); !written)
     return tl::unexpected(written.error());
   return writer;
 }
