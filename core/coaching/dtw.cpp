@@ -164,28 +164,32 @@ void PoseSequence::set(int frame, int joint, float x, float y, float z, float we
   if (weight < 1) certain_ = false;
 }
 
-Warp warp(const PoseSequence& student, const PoseSequence& coach, WarpEnds ends) {
+void cost_row(const PoseSequence& student, int student_frame, const PoseSequence& coach,
+              std::vector<float>& costs) {
   POSECOACH_ASSERT(student.joints() == coach.joints());
-  const auto rows = static_cast<std::size_t>(student.frames());
-  const auto columns = static_cast<std::size_t>(coach.frames());
+  const auto i = static_cast<std::size_t>(student_frame);
   const std::size_t padded = coach.x(0).size();
-  WarpTable table(rows, columns, ends);
-  std::vector<float> cost(padded), total(padded);
-  for (std::size_t i = 0; i < rows; ++i) {
-    const std::vector<float> weights = normalised_weights(student, i);
-    std::fill(cost.begin(), cost.end(), 0.0F);
-    std::fill(total.begin(), total.end(), 0.0F);
-    for (int k = 0; k < student.joints(); ++k) {
-      const float x = student.x(k)[i], y = student.y(k)[i], z = student.z(k)[i];
-      const float weight = weights[static_cast<std::size_t>(k)];
-      if (coach.is_certain())
-        add_distances(rows_of(coach, k), x, y, z, weight, cost.data(), padded);
-      else
-        add_doubtful_distances(rows_of(coach, k), x, y, z, weight, cost.data(), total.data(), padded);
-    }
-    if (!coach.is_certain())
-      divide_by_total(static_cast<float>(student.joints()), cost.data(), total.data(), padded);
-    table.add_row(cost.data());
+  const std::vector<float> weights = normalised_weights(student, i);
+  std::vector<float> total(coach.is_certain() ? 0 : padded, 0.0F);
+  costs.assign(padded, 0.0F);
+  for (int k = 0; k < student.joints(); ++k) {
+    const float x = student.x(k)[i], y = student.y(k)[i], z = student.z(k)[i];
+    const float weight = weights[static_cast<std::size_t>(k)];
+    if (coach.is_certain())
+      add_distances(rows_of(coach, k), x, y, z, weight, costs.data(), padded);
+    else
+      add_doubtful_distances(rows_of(coach, k), x, y, z, weight, costs.data(), total.data(), padded);
+  }
+  if (!coach.is_certain())
+    divide_by_total(static_cast<float>(student.joints()), costs.data(), total.data(), padded);
+}
+
+Warp warp(const PoseSequence& student, const PoseSequence& coach, WarpEnds ends) {
+  WarpTable table(static_cast<std::size_t>(student.frames()), static_cast<std::size_t>(coach.frames()), ends);
+  std::vector<float> costs;
+  for (int i = 0; i < student.frames(); ++i) {
+    cost_row(student, i, coach, costs);
+    table.add_row(costs.data());
   }
   return table.finish();
 }

@@ -58,6 +58,11 @@ Warp warp(const PoseSequence& student, const PoseSequence& coach, WarpEnds ends 
 // The same over a given matrix of costs, row = student frame, `columns` = coach frames.
 Warp warp(std::span<const float> costs, int columns, WarpEnds ends = WarpEnds::Closed);
 
+// The costs of one frame of the student against every frame of the coach, as the warp adds them up. `costs`
+// becomes at least coach.frames() long.
+void cost_row(const PoseSequence& student, int student_frame, const PoseSequence& coach,
+              std::vector<float>& costs);
+
 // The cost of one pair as the warp sees it, in double precision.
 double pair_cost(const PoseSequence& student, int student_frame, const PoseSequence& coach, int coach_frame);
 

@@ -87,6 +87,7 @@ struct CoachSnapshot {
   std::optional<BodyPose> student;      // lifted into the camera's world
   std::optional<PinholeCamera> camera;  // while there is a student
   std::optional<Ghost> ghost;
+  std::string coach_message;  // why the coach cannot be shown in the student's body; usually empty
   std::vector<SetUpCheck> checks;
   // Posture against the coach's at address, in the golfer's words; empty where there is nothing to say.
   std::vector<std::string> address_advice;

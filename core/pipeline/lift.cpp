@@ -7,7 +7,7 @@
 #include "core/base/assert.h"
 #include "core/body/body_measurement.h"
 #include "core/body/landmark_body.h"
-#include "core/pipeline/camera_fit.h"
+#include "core/pipeline/placing.h"
 #include "core/pipeline/stance.h"
 #include "core/pipeline/track_repair.h"
 
@@ -44,16 +44,6 @@ Result<Sightings> sightings_of(const PoseTrack& track) {
   return sightings;
 }
 
-double arms_legs_and_torso(const Skeleton& body) {
-  double sum = 0;
-  for (const HumanoidJoint role :
-       {HumanoidJoint::Chest, HumanoidJoint::LeftElbow, HumanoidJoint::LeftWrist, HumanoidJoint::RightElbow,
-        HumanoidJoint::RightWrist, HumanoidJoint::LeftKnee, HumanoidJoint::LeftAnkle,
-        HumanoidJoint::RightKnee, HumanoidJoint::RightAnkle})
-    sum += body.bone_length(body.find(role));
-  return sum;
-}
-
 // Each frame's depth of the hips, smoothed over time; frames whose fit failed take their neighbours'.
 std::vector<double> smooth_depths(std::span<const std::optional<Vec3>> places,
                                   std::span<const double> times_s) {
@@ -79,17 +69,6 @@ std::vector<double> smooth_depths(std::span<const std::optional<Vec3>> places,
     depths[i] = sum / weights;
   }
   return depths;
-}
-
-// Each joint on its 2D joint's ray, as far away as the hips plus the model's relative depth.
-std::array<Vec3, kLandmarkCount> on_rays(const SeenPerson& person, double depth, const Intrinsics& camera) {
-  std::array<Vec3, kLandmarkCount> points;
-  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-    const double z = std::max(0.1, depth + person.world[i].position_m.z);
-    const Vec2 ray = (person.image[i].position_px - camera.centre_px) / camera.focal_px;
-    points[i] = {ray.x * z, ray.y * z, z};
-  }
-  return points;
 }
 
 // The people of all sightings before one camera that stands still, in the model's metres.
@@ -191,12 +170,7 @@ View view_of(const Motion& motion, const PinholeCamera& camera, std::span<const 
     const Vec3 front = glm::cross(across, Vec3(0, 1, 0));
     if (glm::length(front) > 1e-9) facing += glm::normalize(front);
   }
-  Vec3 to_camera = camera.position() - at(static_cast<int>(still[0]), HumanoidJoint::Pelvis);
-  to_camera.y = 0;
-  const double angle = degrees_from_radians(
-      std::atan2(glm::length(glm::cross(facing, to_camera)), glm::dot(facing, to_camera)));
-  if (angle < 40) return View::FaceOn;
-  return angle > 55 && angle < 125 ? View::DownTheLine : View::Between;
+  return view_from(facing, camera.position() - at(static_cast<int>(still[0]), HumanoidJoint::Pelvis));
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// The coach at the student's own pace: he waits at his address until the student stands still at his, goes
+// through the stroke with him, waits when he waits, and starts over when he is back at address.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/coaching/alignment.h"
+#include "core/coaching/hand_speed.h"
+#include "core/coaching/joint_moment.h"
+#include "core/coaching/online_dtw.h"
+
+namespace posecoach {
+
+class FollowAlong {
+ public:
+  // `coach` is in the student's body; `stroke` is the part to be followed, from address to the end.
+  FollowAlong(const JointTrack& coach, const TimeWindow& stroke);
+
+  // The coach's time, seconds, that answers this moment. `yaw` is the turn about +Y that makes the coach face
+  // as the student does; like `sight` it counts from the next address on.
+  double step(MediaTime time, const JointMoment& student, double yaw, const Sight& sight);
+  double coach_time_s() const;
+  void start_over();
+
+ private:
+  PoseSequence coach_poses() const;
+  PoseSequence pose_of(const JointMoment& student) const;
+  void look_from(double yaw, const Sight& sight);
+  void follow(MediaTime time, const JointMoment& student);
+
+  JointTrack coach_;  // the stroke at kAlignmentRate
+  std::vector<HumanoidJoint> joints_;
+  double begin_s_ = 0;
+  double yaw_ = 0;
+  Sight sight_;
+  OnlineWarp warp_;
+  HandSpeed speed_;
+  bool is_following_ = false;
+  std::optional<MediaTime> last_time_;
+  JointMoment last_;
+  double fed_s_ = 0;  // time since last_time_ that no pose at the common rate stands for yet
+};
+
+}  // namespace posecoach

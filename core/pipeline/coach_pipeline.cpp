@@ -1,0 +1,238 @@
+#include "core/pipeline/coach_pipeline.h"
+
+#include <algorithm>
+
+#include "core/pipeline/body_measuring.h"
+#include "core/pipeline/ghost_driver.h"
+#include "core/pipeline/live_lift.h"
+#include "core/pipeline/personal_coach.h"
+
+namespace posecoach {
+namespace {
+
+// A pose stage that loses its person for a frame or two does not make the skeletons flicker.
+constexpr double kHeld_s = 0.25;
+// When the first seconds give a body, and when they give a better one.
+constexpr double kFirstBody_s = 1.2, kBetterBody_s = 3.5;
+
+Sight sight_of(const PinholeCamera& camera) {
+  return {glm::normalize(Vec3(0, 0, 1) * camera.rotation_camera_from_world)};
+}
+
+struct Coach {
+  Motion motion;
+  std::string source;
+};
+
+}  // namespace
+
+class CoachPipeline::Implementation {
+ public:
+  Implementation(std::unique_ptr<PoseEstimator> estimator, BackgroundWork& work, CoachPipelineOptions options)
+      : estimator_(std::move(estimator)), work_(work), options_(std::move(options)) {}
+
+  Result<CoachSnapshot> step(const Frame& frame) {
+    const Result<PoseObservation> seen = estimator_->estimate(frame);
+    if (!seen) return tl::unexpected(seen.error());
+    take_answers();
+    CoachSnapshot snapshot;
+    snapshot.number = ++number_;
+    snapshot.frame = frame;
+    snapshot.person = seen->person;
+    follow_student(frame, seen->person, snapshot);
+    measure_body(frame.time, snapshot);
+    snapshot.measured_body = measured_body_;
+    snapshot.coach_message = coach_message_;
+    return snapshot;
+  }
+
+  void set_coach(Motion motion, std::string source) {
+    coach_ = std::make_shared<const Coach>(Coach{std::move(motion), std::move(source)});
+    ghost_.set_coach(nullptr);
+    personalise();
+  }
+
+  void set_person(Person person) {
+    person_ = std::move(person);
+    measured_body_ = person_.body ? std::make_shared<const Skeleton>(*person_.body) : nullptr;
+    provisional_body_.reset();
+    bodies_from_first_seconds_ = 0;
+    apply_size();
+    personalise();
+  }
+
+  void start_measuring() {
+    measuring_.emplace(BodyMeasuringOptions{options_.count_down_s, options_.measuring_s, person_.height_m});
+    // What is measured must not depend on what was measured before.
+    lift_.set_size(std::nullopt, person_.height_m);
+  }
+  void stop_measuring() {
+    measuring_.reset();
+    apply_size();
+  }
+  void set_pace(Pace pace, double speed) { ghost_.set_pace(pace, speed); }
+
+  void change_source(std::string source) {
+    options_.source = std::move(source);
+    estimator_->reset();
+    lift_.reset();
+    lose_student();
+    held_.reset();
+    if (measuring_) start_measuring();
+  }
+
+ private:
+  struct Held {
+    MediaTime time;
+    BodyPose student;
+    PinholeCamera camera;
+    std::optional<Ghost> ghost;
+  };
+
+  void lose_student() {
+    ghost_.reset();
+    hands_.reset();
+    seen_since_.reset();
+  }
+
+  void apply_size() {
+    lift_.set_size(measured_body_ ? std::optional(*measured_body_) : std::nullopt, person_.height_m);
+  }
+
+  void follow_student(const Frame& frame, const std::optional<SeenPerson>& person, CoachSnapshot& snapshot) {
+    const auto student = lift_.step(frame.time, person, frame.image->width, frame.image->height);
+    if (!student) {
+      hold(frame.time, snapshot);
+      return;
+    }
+    if (!seen_since_) seen_since_ = frame.time;
+    look_at_body(frame.time);
+    const JointMoment moment = joint_moment(student->positions, student->confidence);
+    const Sight sight = sight_of(student->camera);
+    hands_.step(frame.time, moment, sight);
+    snapshot.student = BodyPose{student_skeleton(),
+                                {student->positions.begin(), student->positions.end()},
+                                {student->confidence.begin(), student->confidence.end()}};
+    snapshot.camera = student->camera;
+    snapshot.ghost = ghost_.step(frame.time, moment, sight, hands_);
+    held_ = Held{frame.time, *snapshot.student, *snapshot.camera, snapshot.ghost};
+  }
+
+  void hold(MediaTime time, CoachSnapshot& snapshot) {
+    if (held_ && to_seconds(time - held_->time) > kHeld_s) {
+      held_.reset();
+      lose_student();
+    }
+    if (!held_) return;
+    snapshot.student = held_->student;
+    snapshot.camera = held_->camera;
+    snapshot.ghost = held_->ghost;
+  }
+
+  // A body for the ghost before it is measured.
+  void look_at_body(MediaTime time) {
+    if (measured_body_ || bodies_from_first_seconds_ >= 2) return;
+    const double seconds = to_seconds(time - *seen_since_);
+    if (seconds < (bodies_from_first_seconds_ == 0 ? kFirstBody_s : kBetterBody_s)) return;
+    std::optional<Skeleton> body = lift_.provisional_body();
+    if (!body) return;
+    ++bodies_from_first_seconds_;
+    provisional_body_ = std::make_shared<const Skeleton>(*std::move(body));
+    personalise();
+  }
+
+  std::shared_ptr<const Skeleton> body() const { return measured_body_ ? measured_body_ : provisional_body_; }
+
+  // The skeleton of what is seen has joints and names; until there is a body its lengths are anybody's.
+  std::shared_ptr<const Skeleton> student_skeleton() {
+    if (const auto known = body()) return known;
+    if (!anybody_) {
+      LandmarkBodyLengths lengths{};
+      lengths.fill(0.2);
+      anybody_ = std::make_shared<const Skeleton>(make_landmark_body(lengths));
+    }
+    return anybody_;
+  }
+
+  Handedness hand() const { return person_.hand.value_or(seen_hand_); }
+
+  void personalise() {
+    personal_ = {};
+    if (!coach_ || !body()) return;
+    personal_ = Pending<Result<PersonalCoach>>(
+        work_, [coach = coach_, body = body(), hand = hand(), retarget = options_.retarget] {
+          return make_personal_coach(coach->motion, *body, hand, retarget);
+        });
+  }
+
+  void take_answers() {
+    std::optional<Result<PersonalCoach>> personal = personal_.take();
+    if (!personal) return;
+    coach_message_ = *personal ? std::string() : coach_->source + ": " + personal->error().message;
+    ghost_.set_coach(*personal ? std::make_shared<const PersonalCoach>(std::move(**personal)) : nullptr);
+  }
+
+  void measure_body(MediaTime time, CoachSnapshot& snapshot) {
+    if (!measuring_) return;
+    if (std::optional<Skeleton> body = measuring_->step(time, lift_.placed())) {
+      measured_body_ = std::make_shared<const Skeleton>(*std::move(body));
+      apply_size();
+      personalise();
+    }
+    snapshot.measuring = measuring_->state();
+    if (measuring_->is_over()) stop_measuring();
+  }
+
+  std::unique_ptr<PoseEstimator> estimator_;
+  BackgroundWork& work_;
+  CoachPipelineOptions options_;
+  std::uint64_t number_ = 0;
+
+  Person person_;
+  Handedness seen_hand_ = Handedness::Right;
+  std::shared_ptr<const Skeleton> measured_body_, provisional_body_, anybody_;
+  int bodies_from_first_seconds_ = 0;
+  std::optional<BodyMeasuring> measuring_;
+
+  LiveLift lift_;
+  HandSpeed hands_;
+  std::optional<MediaTime> seen_since_;
+  std::optional<Held> held_;
+
+  std::shared_ptr<const Coach> coach_;
+  Pending<Result<PersonalCoach>> personal_;
+  std::string coach_message_;
+  GhostDriver ghost_;
+};
+
+CoachPipeline::CoachPipeline(std::unique_ptr<PoseEstimator> estimator, BackgroundWork& work,
+                             CoachPipelineOptions options)
+    : implementation_(std::make_unique<Implementation>(std::move(estimator), work, std::move(options))) {}
+CoachPipeline::~CoachPipeline() = default;
+
+Result<CoachSnapshot> CoachPipeline::step(const Frame& frame) {
+  return implementation_->step(frame);
+}
+void CoachPipeline::set_coach(Motion motion, std::string source) {
+  implementation_->set_coach(std::move(motion), std::move(source));
+}
+void CoachPipeline::set_person(Person person) {
+  implementation_->set_person(std::move(person));
+}
+void CoachPipeline::start_measuring() {
+  implementation_->start_measuring();
+}
+void CoachPipeline::stop_measuring() {
+  implementation_->stop_measuring();
+}
+void CoachPipeline::arm() {}
+void CoachPipeline::disarm() {}
+void CoachPipeline::dismiss_replay() {}
+void CoachPipeline::set_pace(Pace pace, double speed) {
+  implementation_->set_pace(pace, speed);
+}
+void CoachPipeline::change_source(std::string source) {
+  implementation_->change_source(std::move(source));
+}
+
+}  // namespace posecoach

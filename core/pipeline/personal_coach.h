@@ -1,0 +1,32 @@
+// The coach in one student's body, with what the ghost needs to know of his stroke.
+#pragma once
+
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/body/mirror.h"
+#include "core/coaching/alignment.h"
+#include "core/coaching/body_axes.h"
+#include "core/coaching/joint_track.h"
+#include "core/motion/motion.h"
+#include "core/retarget/retarget.h"
+
+namespace posecoach {
+
+struct PersonalCoach {
+  Motion motion;  // in the student's body and of his hand, in the coach's world
+  std::shared_ptr<const Skeleton> body;
+  JointTrack track;   // of that motion
+  TimeWindow stroke;  // from address to the end; the whole motion where no stroke is seen in it
+  Vec3 feet;          // middle of the ankles at address
+  BodyAxes axes;      // at address
+
+  // The joints at a time of the track, straight between the two nearest frames.
+  std::vector<Vec3> positions(double time_s) const;
+};
+
+// Errors: those of retarget(), and a motion that coaching cannot use.
+Result<PersonalCoach> make_personal_coach(const Motion& coach, const Skeleton& body, Handedness hand,
+                                          const RetargetOptions& options);
+
+}  // namespace posecoach

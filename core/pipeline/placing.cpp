@@ -1,0 +1,37 @@
+#include "core/pipeline/placing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace posecoach {
+
+std::array<Vec3, kLandmarkCount> on_rays(const SeenPerson& person, double depth, const Intrinsics& camera) {
+  std::array<Vec3, kLandmarkCount> points;
+  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+    const double z = std::max(0.1, depth + person.world[i].position_m.z);
+    const Vec2 ray = (person.image[i].position_px - camera.centre_px) / camera.focal_px;
+    points[i] = {ray.x * z, ray.y * z, z};
+  }
+  return points;
+}
+
+double arms_legs_and_torso(const Skeleton& body) {
+  double sum = 0;
+  for (const HumanoidJoint role :
+       {HumanoidJoint::Chest, HumanoidJoint::LeftElbow, HumanoidJoint::LeftWrist, HumanoidJoint::RightElbow,
+        HumanoidJoint::RightWrist, HumanoidJoint::LeftKnee, HumanoidJoint::LeftAnkle,
+        HumanoidJoint::RightKnee, HumanoidJoint::RightAnkle})
+    sum += body.bone_length(body.find(role));
+  return sum;
+}
+
+View view_from(const Vec3& facing, const Vec3& to_camera) {
+  const Vec3 level(to_camera.x, 0, to_camera.z);
+  const double angle =
+      degrees_from_radians(std::atan2(glm::length(glm::cross(facing, level)), glm::dot(facing, level)));
+  if (angle < 40) return View::FaceOn;
+  return angle > 55 && angle < 125 ? View::DownTheLine : View::Between;
+}
+
+}  // namespace posecoach
