@@ -7,9 +7,12 @@
 #include "app/commands.h"
 #include "app/evaluate_pose_command.h"
 #include "app/evaluate_retarget_command.h"
+#include "app/evaluate_transfer_command.h"
 #include "app/pose_command.h"
 #include "app/retarget_command.h"
 #include "app/simulate_command.h"
+#include "app/train_transfer_command.h"
+#include "app/transfer_command.h"
 
 namespace posecoach {
 namespace {
@@ -45,11 +48,16 @@ int run(int argc, char** argv) {
   add_pose_command(cli, action);
   add_body_command(cli, action);
   add_retarget_command(cli, action);
+  add_transfer_command(cli, action);
   CLI::App* evaluate =
       cli.add_subcommand("evaluate", "How good the parts are, against data with known answers");
   evaluate->require_subcommand(1);
   add_evaluate_pose_command(*evaluate, action);
   add_evaluate_retarget_command(*evaluate, action);
+  add_evaluate_transfer_command(*evaluate, action);
+  CLI::App* train = cli.add_subcommand("train", "Train the networks");
+  train->require_subcommand(1);
+  add_train_transfer_command(*train, action);
   add_simulate_command(cli, action);
   add_bench_command(cli, action);
   cli.failure_message(usage_line);
