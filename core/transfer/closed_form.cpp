@@ -51,7 +51,7 @@ class ClosedFormTransferer : public Transferer {
     TransferredPose result;
     result.pose = pose_from_bones(bones, {});
     result.expected_error.fill(-1);
-    result.doubts = doubts_about(pose, source_, identity_);
+    result.doubts = doubts_about(pose, result, source_, identity_);
     return result;
   }
 

@@ -8,7 +8,6 @@ namespace posecoach {
 namespace {
 
 constexpr int kCell = 300, kHeader = 34, kBorder = 26;
-constexpr double kFarOff = 0.08;  // of stature
 const cv::Scalar kPaper(250, 250, 250), kLine(225, 225, 225), kText(70, 70, 70), kGuess(190, 190, 190);
 // BGR; left limbs darker than right ones, so that a turned body can be told.
 const cv::Scalar kPoseColour(20, 150, 235), kIdentityColour(190, 120, 40), kResultColour(160, 50, 130);

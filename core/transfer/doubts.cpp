@@ -55,13 +55,26 @@ Vec2 guessed_bone(std::size_t bone) {
   }
 }
 
-std::vector<std::string> doubts_about(const Pose2d& pose, const BoneLengths2d& source,
-                                      const BoneLengths2d& identity) {
+std::vector<std::string> doubts_about(const Pose2d& pose, const TransferredPose& result,
+                                      const BoneLengths2d& source, const BoneLengths2d& identity) {
   std::vector<std::string> doubts;
-  std::string missing;
-  for (std::size_t i = 0; i < kJoint2dCount; ++i)
-    if (!pose.seen[i]) missing += (missing.empty() ? "" : ", ") + spoken(static_cast<Joint2d>(i));
+  std::string missing, far_off;
+  for (std::size_t i = 0; i < kJoint2dCount; ++i) {
+    std::string* list = nullptr;
+    if (!pose.seen[i])
+      list = &missing;
+    else if (result.expected_error[i] > kFarOff)
+      list = &far_off;
+    if (list != nullptr) *list += (list->empty() ? "" : ", ") + spoken(static_cast<Joint2d>(i));
+  }
   if (!missing.empty()) doubts.push_back("not seen in the pose, so guessed: " + missing);
+  if (!far_off.empty()) doubts.push_back("seen too little to be carried over well: " + far_off);
+  for (std::string& doubt : doubts_about_lengths(source, identity)) doubts.push_back(std::move(doubt));
+  return doubts;
+}
+
+std::vector<std::string> doubts_about_lengths(const BoneLengths2d& source, const BoneLengths2d& identity) {
+  std::vector<std::string> doubts;
   add_short_bones(source, "the person who poses", doubts);
   add_short_bones(identity, "the person drawn", doubts);
   return doubts;

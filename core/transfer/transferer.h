@@ -25,6 +25,10 @@ inline constexpr std::array<TransferMethod, 5> kTransferMethods = {
 std::string_view to_string(TransferMethod method);
 Result<TransferMethod> transfer_method_from_string(std::string_view name);
 
+// Joints that are expected to be further off than this are said to be, and not drawn as if known; in
+// statures.
+inline constexpr double kFarOff = 0.08;
+
 struct TransferredPose {
   Pose2d pose;  // in the units of the identity's pictures, the mid-hip at the origin; all joints "seen"
   // How far each joint is expected to be off, as a fraction of the person's stature; negative: not known.

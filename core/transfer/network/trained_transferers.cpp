@@ -73,7 +73,7 @@ class PaperTransferer : public Transferer {
     TransferredPose result;
     result.pose = pose_from_tensor(output[0], 1 / identity_scale_);
     result.expected_error.fill(-1);
-    result.doubts = doubts_about(pose, people_.source, people_.identity);
+    result.doubts = doubts_about(pose, result, people_.source, people_.identity);
     return result;
   }
 
@@ -120,7 +120,7 @@ class NetworkTransferer : public Transferer {
     const double touch = torch::sigmoid(answer.touch.mean()).item<double>();
     keep_hands_together(result.pose, pose, people_.identity.stature / people_.source.stature,
                         std::clamp(4 * touch - 2, 0.0, 1.0));
-    result.doubts = doubts_about(pose, people_.source, people_.identity);
+    result.doubts = doubts_about(pose, result, people_.source, people_.identity);
     return result;
   }
 
