@@ -6,6 +6,7 @@
 
 #include "app/analyze_outputs.h"
 #include "app/load_motion.h"
+#include "app/picture_retarget.h"
 #include "app/pose_options.h"
 #include "app/progress_bar.h"
 #include "core/body/landmark_body.h"
@@ -21,11 +22,32 @@ struct Arguments {
   AnalyzeOutputs outputs;
 };
 
-AnalyzeOptions analyze_options(const Arguments& arguments, RetargetMethod method) {
+// What is known of the coach: a motion, or, carried over from picture to picture, only what was seen.
+struct Coach {
+  std::optional<LoadedMotion> motion;
+  std::optional<PoseTrack> pictures;
+};
+
+Result<Coach> load_coach(const Arguments& arguments, const LoadOptions& load) {
+  if (arguments.method == kTransfer2d) {
+    Result<PoseTrack> pictures = load_coach_pictures(arguments.coach, load);
+    if (!pictures) return tl::unexpected(pictures.error());
+    return Coach{std::nullopt, *std::move(pictures)};
+  }
+  Result<LoadedMotion> motion = load_motion(arguments.coach, load);
+  if (!motion) return tl::unexpected(motion.error());
+  return Coach{*std::move(motion), std::nullopt};
+}
+
+Result<AnalyzeOptions> analyze_options(const Arguments& arguments) {
   AnalyzeOptions options;
   if (arguments.hand != "auto")
     options.hand = arguments.hand == "left" ? Handedness::Left : Handedness::Right;
-  options.retarget.method = method;
+  if (arguments.method != kTransfer2d) {
+    const Result<RetargetMethod> method = retarget_method_from_string(arguments.method);
+    if (!method) return tl::unexpected(method.error());
+    options.retarget.method = *method;
+  }
   options.retarget.contacts = arguments.contacts == "on" ? Contacts::On : Contacts::Off;
   return options;
 }
@@ -39,8 +61,8 @@ StudentInput student_input(const LoadedMotion& student, const std::optional<Skel
 }
 
 Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
-  const Result<RetargetMethod> method = retarget_method_from_string(arguments.method);
-  if (!method) return tl::unexpected(method.error());
+  const Result<AnalyzeOptions> options = analyze_options(arguments);
+  if (!options) return tl::unexpected(options.error());
   if (const Result<void> checked =
           check_outputs(arguments.outputs, {arguments.coach, arguments.student, arguments.body});
       !checked)
@@ -48,7 +70,7 @@ Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   listen_to_interrupts();
   ProgressBar bar;
   LoadOptions load{pose, {}, bar.progress()};
-  const Result<LoadedMotion> coach = load_motion(arguments.coach, load);
+  const Result<Coach> coach = load_coach(arguments, load);
   if (!coach) return tl::unexpected(coach.error());
   std::optional<Skeleton> body;
   load.lift.height_m = arguments.height_m;
@@ -61,8 +83,10 @@ Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   }
   const Result<LoadedMotion> student = load_motion(arguments.student, load);
   if (!student) return tl::unexpected(student.error());
-  const Result<AnalyzedPair> pair = analyze(student_input(*student, body), {coach->source, coach->motion},
-                                            analyze_options(arguments, *method));
+  const Result<AnalyzedPair> pair =
+      coach->pictures
+          ? analyze_in_picture(*coach->pictures, *student, *options)
+          : analyze(student_input(*student, body), {coach->motion->source, coach->motion->motion}, *options);
   if (!pair) return tl::unexpected(pair.error());
   if (const Result<void> written = write_outputs(arguments.outputs, *student, *pair, bar.progress());
       !written)
@@ -89,7 +113,7 @@ void add_analyze_command(CLI::App& cli, Action& action) {
                       "The student's body, .body.json or any motion; measured when not given");
   command->add_option("--retarget", arguments->method, "How the coach gets into the student's body")
       ->capture_default_str()
-      ->check(CLI::IsMember({"rotation", "direction", "scale"}));
+      ->check(CLI::IsMember({"rotation", "direction", "scale", kTransfer2d}));
   command->add_option("--hand", arguments->hand, "The side that the student plays from")
       ->capture_default_str()
       ->check(CLI::IsMember({"left", "right", "auto"}));

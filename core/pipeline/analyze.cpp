@@ -27,14 +27,6 @@ Viewpoint viewpoint_of(View view) {
   return Viewpoint::Between;
 }
 
-// Right where no stroke is seen: compare() says so later, and better.
-Handedness hand_of(const Motion& motion, const Sight& sight = {}) {
-  const Result<JointTrack> track = JointTrack::from_motion(motion);
-  if (!track) return Handedness::Right;
-  const Result<SwingEvents> events = find_swing_events(*track, {{}, sight});
-  return events ? events->hand : Handedness::Right;
-}
-
 // Middle of the ankles over a short time before the stroke, and how low they are.
 Vec3 feet_at_address(const JointTrack& track, double address_s) {
   Vec3 sum(0);
@@ -86,6 +78,14 @@ Result<RetargetResult> in_body(const Motion& coach, const Skeleton& body, const 
 }
 
 }  // namespace
+
+// compare() says later, and better, why no stroke was found.
+Handedness hand_of(const Motion& motion, const Sight& sight) {
+  const Result<JointTrack> track = JointTrack::from_motion(motion);
+  if (!track) return Handedness::Right;
+  const Result<SwingEvents> events = find_swing_events(*track, {{}, sight});
+  return events ? events->hand : Handedness::Right;
+}
 
 StudentInput student_from_motion(std::string source, const Motion& motion) {
   return {std::move(source),

@@ -49,6 +49,9 @@ struct AnalyzedPair {
   Motion coach;
 };
 
+// Which hand the stroke is played with; right where no stroke is found.
+Handedness hand_of(const Motion& motion, const Sight& sight = {});
+
 // Errors: those of retarget() and compare(), naming whose motion it is.
 Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coach,
                              const AnalyzeOptions& options = {});

@@ -19,20 +19,27 @@ std::size_t index(int i) {
 
 struct OverlayFilm::Bodies {
   double coach_frame = 0;
-  std::vector<double> confidence;
+  std::vector<double> confidence, coach_confidence;
   std::vector<Vec3> coach;
   BodyState student_state, coach_state;  // look into the vectors above, which a move leaves where they are
 
   Bodies(const Comparison& comparison, const CoachPlacement& placement, int frame, double at_coach_frame)
       : coach_frame(at_coach_frame),
         confidence(index(comparison.student.joint_count())),
+        coach_confidence(index(comparison.coach.joint_count())),
         coach(placement.positions(comparison.coach, at_coach_frame, frame)),
         student_state{comparison.student.skeleton(), comparison.student.positions(frame)},
         coach_state{comparison.coach.skeleton(), {}} {
     for (int joint = 0; joint < comparison.student.joint_count(); ++joint)
       confidence[index(joint)] = comparison.student.confidence(frame, joint);
+    // A coach carried over from pictures has joints that nothing is known about.
+    const int nearest =
+        std::clamp(static_cast<int>(std::lround(at_coach_frame)), 0, comparison.coach.frame_count() - 1);
+    for (int joint = 0; joint < comparison.coach.joint_count(); ++joint)
+      coach_confidence[index(joint)] = comparison.coach.confidence(nearest, joint) > 0 ? 1 : 0;
     student_state.confidence = confidence;
     coach_state.positions = coach;
+    coach_state.confidence = coach_confidence;
   }
   Bodies(Bodies&&) = default;
 

@@ -1,0 +1,34 @@
+// A coach of whom there is only a film or a picture, in the student's proportions straight on the student's
+// picture: what moves across the view comes from the 2D pose transfer (core/transfer); depth, of which a
+// picture says little, is the pose model's, in the student's size.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/pipeline/lift.h"
+#include "core/transfer/transferer.h"
+
+namespace posecoach {
+
+struct PictureCoach {
+  // On the student's webcam body, in the student's world, standing on the student's feet; a frame for each
+  // frame of the coach. Projected by the student's camera it is the transferred pose. What was not seen of
+  // the coach, or cannot be told from his pictures, has confidence 0.
+  Motion motion;
+  std::vector<std::string> doubts;  // for people
+};
+
+// Both seen by a camera that stands still, from about the same side. Errors: Incomplete (the two are filmed
+// from different sides; nobody to measure).
+Result<PictureCoach> coach_in_picture(const LiftedStudent& coach, const LiftedStudent& student,
+                                      Transferer& transferer);
+
+// The person in a mirror: what a right-handed coach's film shows a left-handed student.
+LiftedStudent mirrored(const LiftedStudent& filmed);
+
+// A picture as a film in which nobody moves, so that it can be lifted. Errors: NoPerson.
+Result<PoseTrack> still_film(const PoseTrack& pictures);
+
+}  // namespace posecoach
