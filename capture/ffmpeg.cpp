@@ -1,8 +1,10 @@
 #include "capture/ffmpeg.h"
 
 extern "C" {
+#include <libavcodec/avcodec.h>
 #include <libavutil/error.h>
 #include <libavutil/log.h>
+#include <libswscale/swscale.h>
 }
 
 #include <cstdarg>
@@ -16,6 +18,19 @@ void keep_ffmpeg_quiet() {
 std::string ffmpeg_reason(int error) {
   char text[AV_ERROR_MAX_STRING_SIZE] = {};
   return av_strerror(error, text, sizeof text) == 0 ? text : "error " + std::to_string(error);
+}
+
+void FfmpegFree::operator()(AVCodecContext* context) const {
+  avcodec_free_context(&context);
+}
+void FfmpegFree::operator()(AVFrame* frame) const {
+  av_frame_free(&frame);
+}
+void FfmpegFree::operator()(AVPacket* packet) const {
+  av_packet_free(&packet);
+}
+void FfmpegFree::operator()(SwsContext* context) const {
+  sws_freeContext(context);
 }
 
 }  // namespace posecoach
