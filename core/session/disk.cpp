@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -51,6 +53,19 @@ bool sync_descriptor(Disk& disk, int descriptor) {
 Result<void> sync_folder_of(Disk& disk, const fs::path& path) {
   const fs::path parent = path.parent_path();
   return sync(disk, parent.empty() ? fs::path(".") : parent);
+}
+
+constexpr std::string_view kTemporary = ".tmp";
+
+// The process that a temporary file belongs to; 0 for other files.
+pid_t process_of(const fs::path& path) {
+  const std::string name = path.filename().string();
+  const std::size_t at = name.rfind(kTemporary);
+  if (at == std::string::npos) return 0;
+  pid_t process = 0;
+  const char* end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data() + at + kTemporary.size(), end, process);
+  return error == std::errc{} && stop == end ? process : 0;
 }
 
 // What was begun is taken back without touching the reason of the failure.
@@ -107,7 +122,7 @@ Error disk_error(std::string_view verb, const fs::path& path) {
 }
 
 Result<void> store_file(Disk& disk, const fs::path& path, std::string_view bytes) {
-  const fs::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
+  const fs::path temporary = path.string() + std::string(kTemporary) + std::to_string(::getpid());
   {
     const Descriptor file(disk.open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC, kFileMode));
     if (file.get() < 0) return tl::unexpected(disk_error("create", path));
@@ -118,6 +133,20 @@ Result<void> store_file(Disk& disk, const fs::path& path, std::string_view bytes
   if (disk.rename(temporary.c_str(), path.c_str()) != 0)
     return undone(disk, temporary, disk_error("write", path));
   return sync_folder_of(disk, path);
+}
+
+bool is_temporary(const fs::path& path) {
+  return process_of(path) > 0;
+}
+
+void remove_dead_temporaries(Disk& disk, const fs::path& folder) {
+  std::error_code failed;
+  std::vector<fs::path> dead;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
+    if (const pid_t process = process_of(entry->path());
+        process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+      dead.push_back(entry->path());
+  for (const fs::path& path : dead) disk.remove(path.c_str());
 }
 
 Result<void> copy_file(Disk& disk, const fs::path& from, const fs::path& to, const Progress& progress) {

@@ -38,6 +38,10 @@ Error disk_error(std::string_view verb, const std::filesystem::path& path);
 
 // Old or new, never half; on the disk when it returns.
 Result<void> store_file(Disk& disk, const std::filesystem::path& path, std::string_view bytes);
+// A name that store_file uses on the way; `.tmpPID` at its end.
+bool is_temporary(const std::filesystem::path& path);
+// Those in a folder whose process died before the rename.
+void remove_dead_temporaries(Disk& disk, const std::filesystem::path& folder);
 // Into a file that is not there yet; on failure it is gone again. Errors: NotFound, Unreadable, Cancelled.
 Result<void> copy_file(Disk& disk, const std::filesystem::path& from, const std::filesystem::path& to,
                        const Progress& progress = {});

@@ -137,6 +137,22 @@ std::vector<AbandonedDraft> abandoned_drafts(const fs::path& parent) {
   return drafts;
 }
 
+void remove_orphaned_locks(Disk& disk, const fs::path& parent) {
+  std::vector<fs::path> locks;
+  std::error_code failed;
+  for (fs::directory_iterator entry(parent, failed), end; !failed && entry != end; entry.increment(failed))
+    if (entry->path().extension() == kLockEnding) locks.push_back(entry->path());
+  for (const fs::path& lock : locks) {
+    // Held while it is removed, so that nobody can take it in between.
+    const int descriptor = ::open(lock.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    const bool is_taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    std::error_code ignored;
+    if (!is_taken && !fs::exists(fs::path(lock).replace_extension(), ignored)) disk.remove(lock.c_str());
+    ::close(descriptor);
+  }
+}
+
 void forget_draft(Disk& disk, const fs::path& path) {
   disk.remove(lock_of(path).c_str());
 }

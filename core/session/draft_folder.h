@@ -56,6 +56,8 @@ struct AbandonedDraft {
 };
 
 std::vector<AbandonedDraft> abandoned_drafts(const std::filesystem::path& parent);
+// Locks of dead processes whose folder is gone.
+void remove_orphaned_locks(Disk& disk, const std::filesystem::path& parent);
 // Its folder has found its way: the lock goes too.
 void forget_draft(Disk& disk, const std::filesystem::path& path);
 

@@ -1,5 +1,9 @@
 #include "core/session/library.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 
@@ -37,6 +41,23 @@ Swing swing_of(const fs::path& library, const IndexedSwing& indexed) {
   swing.folder = folder;
   return swing;
 }
+
+// Where a file system knows no locks, programs do without.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder)
+      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
+  }
+  ~FolderLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_;
+};
 
 Result<void> check_day(const std::string& day) {
   if (day.empty() || is_day(day)) return {};
@@ -100,6 +121,12 @@ Result<Swing> Library::change(std::string_view id, const SwingChange& change) {
   const std::scoped_lock lock(mutex_);
   Result<Swing> swing = find_unlocked(id);
   if (!swing) return swing;
+  // Another program may be changing it too: read again what it left.
+  const FolderLock other_programs(swing->folder);
+  const Shelf shelf = swing->shelf;
+  swing = read_swing(swing->folder);
+  if (!swing) return swing;
+  swing->shelf = shelf;
   SwingFacts& facts = swing->facts;
   if (change.star) facts.star = *change.star;
   if (change.notes) facts.notes = *change.notes;

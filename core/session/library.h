@@ -27,12 +27,13 @@ enum class StarFilter { Any, Starred, Plain };
 
 struct SwingQuery {
   Shelf shelf = Shelf::Kept;
-  std::string text;    // every word of it in notes, person, coach, view, stroke or advice; letter case aside
-  std::string person;  // the whole name, letter case and accents aside
-  std::string coach;   // the whole source
-  std::string since, until;  // days, "2026-11-22", both included
+  std::string text =
+      {};  // every word of it in notes, person, coach, view, stroke or advice; letter case aside
+  std::string person = {};             // the whole name, letter case and accents aside
+  std::string coach = {};              // the whole source
+  std::string since = {}, until = {};  // days, "2026-11-22", both included
   StarFilter star = StarFilter::Any;
-  std::optional<double> score_from, score_to;  // percent
+  std::optional<double> score_from = {}, score_to = {};  // percent
   SwingOrder order = SwingOrder::NewestFirst;
   std::size_t limit = 0;  // 0: all
 };

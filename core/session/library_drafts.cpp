@@ -21,7 +21,8 @@ std::vector<fs::path> contents(const fs::path& folder) {
   std::error_code failed;
   for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
     std::error_code ignored;
-    if (entry->is_regular_file(ignored) && entry->path().filename() != kSwingFile)
+    if (entry->is_regular_file(ignored) && entry->path().filename() != kSwingFile &&
+        !is_temporary(entry->path()))
       files.push_back(entry->path());
   }
   std::sort(files.begin(), files.end());
@@ -32,6 +33,7 @@ std::vector<fs::path> contents(const fs::path& folder) {
 Result<std::map<std::string, StoredFile>> settle(Disk& disk, const fs::path& folder,
                                                  const Progress& progress) {
   std::map<std::string, StoredFile> stored;
+  remove_dead_temporaries(disk, folder);
   for (const fs::path& file : contents(folder)) {
     Result<FileDigest> digest = digest_file(file, progress);
     if (!digest) return tl::unexpected(digest.error());
@@ -223,9 +225,13 @@ Result<void> Library::discard(const Leftover& leftover) {
   return {};
 }
 
-// After a crash: swings on their way back where nothing took their place, then everything that was on its way
-// out, and drafts in which nothing was written yet. Only what a recorder left is the user's to decide on.
+// After a crash: halves of files go, swings on their way back come back where nothing took their place, and
+// then everything that was on its way out and drafts in which nothing was written yet go too. Only what a
+// recorder left is the user's to decide on.
 void Library::finish_interrupted() {
+  if (const Result<std::vector<FoundSwing>> swings = find_swings(folder_))
+    for (const FoundSwing& swing : *swings)
+      remove_dead_temporaries(disk_, swing_folder(swing.shelf, swing.id));
   std::vector<AbandonedDraft> drafts = abandoned_drafts(unfinished());
   for (const AbandonedDraft& draft : drafts) {
     if (draft.kind != DraftKind::Replaced || draft.target.empty()) continue;
@@ -241,6 +247,7 @@ void Library::finish_interrupted() {
       continue;
     if (!fs::exists(draft.path, failed) || remove_folder(disk_, draft.path)) forget_draft(disk_, draft.path);
   }
+  remove_orphaned_locks(disk_, unfinished());
 }
 
 }  // namespace posecoach

@@ -16,13 +16,13 @@
 namespace posecoach {
 
 struct Reference {
-  std::string name;              // as people say it: "Bundled swing", "Anna's driver"
-  std::string source;            // as `--coach` takes it: "bundled:swing", "reference:annas_driver"
-  std::filesystem::path motion;  // its motion file; empty for bundled ones
-  std::string stroke;            // "full swing", "putt", or empty
-  std::optional<Handedness> hand;
-  std::string origin;      // the swing's id or the file's name that it was made of
-  std::string unreadable;  // why it cannot be used; empty otherwise
+  std::string name = {};              // as people say it: "Bundled swing", "Anna's driver"
+  std::string source = {};            // as `--coach` takes it: "bundled:swing", "reference:annas_driver"
+  std::filesystem::path motion = {};  // its motion file; empty for bundled ones
+  std::string stroke = {};            // "full swing", "putt", or empty
+  std::optional<Handedness> hand = {};
+  std::string origin = {};      // the swing's id or the file's name that it was made of
+  std::string unreadable = {};  // why it cannot be used; empty otherwise
 
   bool is_bundled() const { return motion.empty(); }
 };

@@ -25,6 +25,8 @@ class SwingDraft {
   // Files that are there already are replaced through add(), never written into: they may be links.
   const std::filesystem::path& folder() const { return place_.path(); }
   std::filesystem::path path(std::string_view name) const { return place_.path() / name; }
+  // What keep() will write.
+  SwingFacts& facts() { return facts_; }
   const SwingFacts& facts() const { return facts_; }
 
   Result<void> add(std::string_view name, std::string_view bytes);
@@ -38,7 +40,7 @@ class SwingDraft {
   Result<void> add_analysis(const Analysis& analysis);
   Result<void> add_thumbnail(std::string_view jpeg);
 
-  // What the swing will say about itself, and what a recovery would know of it. Errors: Unreadable.
+  // Writes the facts already now, so that a recovery knows them. Errors: Unreadable.
   Result<void> describe(const SwingFacts& facts);
 
  private:
