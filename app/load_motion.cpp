@@ -8,6 +8,8 @@
 #include "core/motion/motion_file.h"
 #include "core/motion/pose_file.h"
 #include "core/pipeline/track_poses.h"
+#include "core/session/places.h"
+#include "core/session/references.h"
 
 namespace posecoach {
 namespace {
@@ -26,6 +28,14 @@ SourceKind kind_of_folder(const std::string& folder) {
        entry.increment(failed))
     if (entry->path().extension() == ".json") return SourceKind::OpenPoseFolder;
   return SourceKind::Film;  // of nothing, which opening it will tell
+}
+
+// A user's own coach lies in a file; everything else is its own name.
+Result<std::string> behind_reference(const std::string& source) {
+  if (!source.starts_with(kReferencePrefix)) return source;
+  Result<Reference> reference = References(find_places().references()).find(source);
+  if (!reference) return tl::unexpected(reference.error());
+  return reference->motion.string();
 }
 
 Result<SourceKind> kind_of(const std::string& source) {
@@ -85,7 +95,9 @@ Result<PoseTrack> load_pose_track(const std::string& source, const LoadOptions& 
 }
 
 Result<LoadedMotion> load_motion(const std::string& source, const LoadOptions& options) {
-  const auto kind = kind_of(source);
+  const Result<std::string> place = behind_reference(source);
+  if (!place) return tl::unexpected(place.error());
+  const auto kind = kind_of(*place);
   if (!kind) return tl::unexpected(kind.error());
   if (*kind == SourceKind::Bundled) {
     Result<Motion> motion = bundled_motion(std::string_view(source).substr(kBundled.size()));
@@ -93,7 +105,7 @@ Result<LoadedMotion> load_motion(const std::string& source, const LoadOptions& o
     return LoadedMotion{source, *std::move(motion), {}, {}, 0};
   }
   if (*kind == SourceKind::MotionFile) {
-    Result<MotionFile> file = read_motion_file(source);
+    Result<MotionFile> file = read_motion_file(*place);
     if (!file) return tl::unexpected(file.error());
     return LoadedMotion{source, std::move(file->motion), std::move(file->provenance), {}, 0};
   }
@@ -109,9 +121,11 @@ Result<LoadedMotion> load_motion(const std::string& source, const LoadOptions& o
 }
 
 Result<SkeletonFile> load_body(const std::string& source, const LoadOptions& options) {
-  const auto kind = kind_of(source);
+  const Result<std::string> place = behind_reference(source);
+  if (!place) return tl::unexpected(place.error());
+  const auto kind = kind_of(*place);
   if (!kind) return tl::unexpected(kind.error());
-  if (*kind == SourceKind::MotionFile) return read_skeleton_file(source);
+  if (*kind == SourceKind::MotionFile) return read_skeleton_file(*place);
   Result<LoadedMotion> loaded = load_motion(source, options);
   if (!loaded) return tl::unexpected(loaded.error());
   return SkeletonFile{loaded->motion.skeleton(), {}};

@@ -8,6 +8,7 @@
 #include "app/evaluate_pose_command.h"
 #include "app/evaluate_retarget_command.h"
 #include "app/evaluate_transfer_command.h"
+#include "app/library_command.h"
 #include "app/pose_command.h"
 #include "app/retarget_command.h"
 #include "app/simulate_command.h"
@@ -49,6 +50,7 @@ int run(int argc, char** argv) {
   add_body_command(cli, action);
   add_retarget_command(cli, action);
   add_transfer_command(cli, action);
+  add_library_command(cli, action);
   CLI::App* evaluate =
       cli.add_subcommand("evaluate", "How good the parts are, against data with known answers");
   evaluate->require_subcommand(1);

@@ -1,0 +1,129 @@
+#include "app/stored_swing.h"
+
+#include <algorithm>
+
+#include "core/base/log.h"
+#include "core/body/body_file.h"
+#include "core/body/landmark_body.h"
+#include "core/image/image_codec.h"
+#include "core/motion/motion_file.h"
+#include "core/motion/pose_file.h"
+
+namespace posecoach {
+namespace {
+
+constexpr int kThumbnailWidth_px = 320;
+
+Result<std::optional<Skeleton>> kept_body(const Swing& swing) {
+  const auto file = swing.file("student.body");
+  if (!file) return std::optional<Skeleton>();
+  Result<Skeleton> body = read_body_file(*file);
+  if (!body) return tl::unexpected(body.error());
+  return std::optional<Skeleton>(*std::move(body));
+}
+
+Result<LoadedMotion> student_from_track(PoseTrack track, std::string source, const LiftOptions& options) {
+  Result<LiftedStudent> lifted = lift(track, options);
+  if (!lifted) return tl::unexpected(lifted.error());
+  Motion motion = lifted->motion;
+  const int first_frame = lifted->first_frame;
+  return LoadedMotion{std::move(source),
+                      std::move(motion),
+                      {},
+                      SeenStudent{std::move(track), *std::move(lifted)},
+                      first_frame};
+}
+
+Result<CoachInput> coach_of(const Swing& swing, const std::string& wanted, const LoadOptions& options) {
+  const std::string source = wanted.empty() ? swing.facts.coach : wanted;
+  const auto kept = wanted.empty() ? swing.file("coach") : std::nullopt;
+  if (source.empty() && !kept)
+    return fail(ErrorCode::Incomplete,
+                swing.id + ": it has not been compared with a coach yet; name one with --coach");
+  Result<LoadedMotion> coach =
+      source.empty() ? Result<LoadedMotion>(fail(ErrorCode::NotFound, "")) : load_motion(source, options);
+  if (coach) return CoachInput{source, std::move(coach->motion)};
+  if (!kept) return tl::unexpected(coach.error());
+  log::info(swing.id + ": the coach " + source + " is gone; his motion as it was kept counts");
+  Result<MotionFile> motion = read_motion_file(*kept);
+  if (!motion) return tl::unexpected(motion.error());
+  return CoachInput{source, std::move(motion->motion)};
+}
+
+Result<void> add_parts(SwingDraft& draft, const PoseTrack* track, const Motion& student, const Skeleton& body,
+                       const AnalyzedPair& pair) {
+  if (track != nullptr)
+    if (const Result<void> added = draft.add_track(*track); !added) return added;
+  const std::string& source = pair.analysis.student.source;
+  if (const Result<void> added = draft.add_student(student, source); !added) return added;
+  if (const Result<void> added = draft.add_body(body); !added) return added;
+  if (const Result<void> added = draft.add_coach(pair.coach, pair.analysis.coach.source); !added)
+    return added;
+  return draft.add_analysis(pair.analysis);
+}
+
+}  // namespace
+
+Result<LoadedMotion> load_student(const Swing& swing, const LoadOptions& options) {
+  const auto film = swing.file("film"), track_file = swing.file("pose"), motion_file = swing.file("student");
+  const Result<std::optional<Skeleton>> body = kept_body(swing);
+  if (!body) return tl::unexpected(body.error());
+  LoadOptions with_body = options;
+  if (*body && is_landmark_body(**body)) with_body.lift.body = *body;
+  if (track_file) {
+    Result<PoseTrack> track = read_pose_track(*track_file);
+    if (!track) return tl::unexpected(track.error());
+    return student_from_track(*std::move(track), film.value_or(*track_file).string(), with_body.lift);
+  }
+  if (!film && !motion_file)
+    return fail(ErrorCode::Incomplete, swing.id + ": it has neither a film nor a motion");
+  return load_motion((film ? *film : *motion_file).string(), with_body);
+}
+
+Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach,
+                                    const LoadOptions& options) {
+  Result<CoachInput> coach_input = coach_of(swing, coach, options);
+  if (!coach_input) return tl::unexpected(coach_input.error());
+  Result<LoadedMotion> student = load_student(swing, options);
+  if (!student) return tl::unexpected(student.error());
+  StudentInput input =
+      student->student ? student_from_film(student->source, student->student->track, student->student->lifted)
+                       : student_from_motion(student->source, student->motion);
+  const Result<std::optional<Skeleton>> body = kept_body(swing);
+  if (body && *body) input.body = **body;
+  AnalyzeOptions analyze_options;
+  analyze_options.hand = swing.facts.hand;
+  Result<AnalyzedPair> pair = analyze(input, *coach_input, analyze_options);
+  if (!pair) return tl::unexpected(pair.error());
+  return StoredAnswer{*std::move(student), *std::move(pair), std::move(input.body)};
+}
+
+Result<void> add_answer(SwingDraft& draft, const StoredAnswer& answer) {
+  const SeenStudent* seen = answer.student.student ? &*answer.student.student : nullptr;
+  if (seen != nullptr) draft.facts().view = to_string(seen->lifted.view);
+  return add_parts(draft, seen != nullptr ? &seen->track : nullptr, answer.student.motion, answer.body,
+                   answer.pair);
+}
+
+Result<void> add_answer(SwingDraft& draft, const AnalyzedSwing& swing) {
+  draft.facts().view = to_string(swing.student.view);
+  if (const Result<void> added =
+          add_parts(draft, &swing.track, swing.student.motion, swing.student.body, swing.pair);
+      !added)
+    return added;
+  const std::size_t pictures = swing.pictures ? swing.pictures->count() : 0;
+  if (pictures == 0) return {};
+  // The middle of what was recorded is about the top of the swing.
+  const Result<std::shared_ptr<const Image>> picture = swing.pictures->picture(pictures / 2);
+  if (!picture) return tl::unexpected(picture.error());
+  return add_picture(draft, **picture);
+}
+
+Result<void> add_picture(SwingDraft& draft, const Image& picture) {
+  const double scale = std::min(1.0, static_cast<double>(kThumbnailWidth_px) / picture.width);
+  const int height = std::max(1, static_cast<int>(std::lround(scale * picture.height)));
+  const int width = std::max(1, static_cast<int>(std::lround(scale * picture.width)));
+  return draft.add_thumbnail(encode_jpeg(resized(picture, width, height)));
+}
+
+}  // namespace posecoach

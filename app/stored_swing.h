@@ -1,0 +1,36 @@
+// Swings of the library as the rest of the program knows them: what is read back to be compared, and answers
+// to be kept.
+#pragma once
+
+#include <string>
+
+#include "app/load_motion.h"
+#include "core/pipeline/analyze.h"
+#include "core/pipeline/analyzed_swing.h"
+#include "core/session/library.h"
+
+namespace posecoach {
+
+// The student of a kept swing. With a film, its source is the film and the pose stage's answer is taken as it
+// was kept (without one, the pose stage looks again); else the kept motion. Errors: Incomplete (neither film
+// nor motion), and those of reading them.
+Result<LoadedMotion> load_student(const Swing& swing, const LoadOptions& options = {});
+
+struct StoredAnswer {
+  LoadedMotion student;
+  AnalyzedPair pair;
+  Skeleton body;
+};
+
+// Compared with `coach`; empty: with the one that it was compared with before, and where that is gone, with
+// his motion as it was kept. Errors: Incomplete (there was none), those of reading and comparing.
+Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach,
+                                    const LoadOptions& options = {});
+
+// Everything that is known about a swing into its draft; the film is the caller's.
+Result<void> add_answer(SwingDraft& draft, const StoredAnswer& answer);
+Result<void> add_answer(SwingDraft& draft, const AnalyzedSwing& swing);
+// A small picture for lists.
+Result<void> add_picture(SwingDraft& draft, const Image& picture);
+
+}  // namespace posecoach
