@@ -36,7 +36,8 @@ CLI::App* add_change(CLI::App& library, Action& action, const SharedLibraryPlace
   auto arguments = std::make_shared<ChangeArguments>();
   CLI::App* command = library.add_subcommand(name, help);
   command->add_option("SWINGS", arguments->ids, "Their ids, or the last letters of them")->required();
-  command->add_option("--json", arguments->json, "Write them as JSON; - is standard output")->type_name("FILE");
+  command->add_option("--json", arguments->json, "Write them as JSON; - is standard output")
+      ->type_name("FILE");
   command->callback([&action, place, arguments, done, deed] {
     action = [place, arguments, done, deed] { return for_each(*place, *arguments, done, deed); };
   });
@@ -84,14 +85,15 @@ void add_edit(CLI::App& library, Action& action, const SharedLibraryPlace& place
     std::string star, hand;
   };
   auto edit = std::make_shared<Edit>();
-  CLI::App* command = add_change(
-      library, action, place, "edit", "Star, notes, person, hand or view of swings", "changed",
-      [edit](Library& of, const std::string& id) {
-        SwingChange change = edit->change;
-        if (!edit->star.empty()) change.star = edit->star == "on";
-        if (!edit->hand.empty()) change.hand = edit->hand == "left" ? Handedness::Left : Handedness::Right;
-        return of.change(id, change);
-      });
+  CLI::App* command =
+      add_change(library, action, place, "edit", "Star, notes, person, hand or view of swings", "changed",
+                 [edit](Library& of, const std::string& id) {
+                   SwingChange change = edit->change;
+                   if (!edit->star.empty()) change.star = edit->star == "on";
+                   if (!edit->hand.empty())
+                     change.hand = edit->hand == "left" ? Handedness::Left : Handedness::Right;
+                   return of.change(id, change);
+                 });
   command->add_option("--star", edit->star, "A star for them, or none")->check(CLI::IsMember({"on", "off"}));
   command->add_option("--hand", edit->hand, "The side that they are played from")
       ->check(CLI::IsMember({"left", "right"}));

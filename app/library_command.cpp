@@ -13,14 +13,16 @@ Result<std::unique_ptr<Library>> open_library(const LibraryPlace& place) {
       Library::open(place.folder.empty() ? find_places().library : std::filesystem::path(place.folder));
   const std::size_t left = library ? (*library)->leftovers().size() : 0;
   if (left > 0)
-    std::fprintf(stderr,
-                 "posecoach: %zu recording%s never finished; `posecoach library recover` keeps what there is\n",
-                 left, left == 1 ? " was" : "s were");
+    std::fprintf(
+        stderr,
+        "posecoach: %zu recording%s never finished; `posecoach library recover` keeps what there is\n", left,
+        left == 1 ? " was" : "s were");
   return library;
 }
 
 void add_library_command(CLI::App& cli, Action& action) {
-  CLI::App* library = cli.add_subcommand("library", "The recorded swings: find, show, exchange, keep in order");
+  CLI::App* library =
+      cli.add_subcommand("library", "The recorded swings: find, show, exchange, keep in order");
   library->require_subcommand(1);
   const auto place = std::make_shared<LibraryPlace>();
   library->add_option("--library", place->folder, "The library's folder, where it is not the usual one")

@@ -24,7 +24,7 @@ struct ImportArguments {
 };
 
 Result<void> import_inputs(const LibraryPlace& place, const ImportArguments& arguments,
-                    const PoseTrackerOptions& pose) {
+                           const PoseTrackerOptions& pose) {
   const auto library = open_library(place);
   if (!library) return tl::unexpected(library.error());
   listen_to_interrupts();
@@ -70,8 +70,7 @@ Result<void> export_files(const LibraryPlace& place, const ExportArguments& argu
       written.emplace_back(file);
     }
     if (!arguments.folder.empty()) {
-      Result<std::vector<std::filesystem::path>> files =
-          export_everything(*swing, arguments.folder, options);
+      Result<std::vector<std::filesystem::path>> files = export_everything(*swing, arguments.folder, options);
       if (!files) return tl::unexpected(files.error());
       written.insert(written.end(), files->begin(), files->end());
     }
@@ -103,8 +102,9 @@ Result<void> analyze_again(const LibraryPlace& place, const std::string& id, con
 
 Result<void> list_coaches() {
   for (const Reference& reference : References(find_places().references()).list())
-    std::printf("%-32s %s%s\n", one_line(reference.source).c_str(), one_line(reference.name).c_str(),
-                reference.unreadable.empty() ? "" : one_line("  unreadable: " + reference.unreadable).c_str());
+    std::printf(
+        "%-32s %s%s\n", one_line(reference.source).c_str(), one_line(reference.name).c_str(),
+        reference.unreadable.empty() ? "" : one_line("  unreadable: " + reference.unreadable).c_str());
   return {};
 }
 
@@ -141,7 +141,8 @@ void add_import(CLI::App& library, Action& action, const SharedLibraryPlace& pla
   command->add_option("--height", arguments->height_m, "How tall the person is, for films")
       ->check(CLI::Range(0.5, 2.6))
       ->type_name("METRES");
-  command->add_option("--json", arguments->json, "Write them as JSON; - is standard output")->type_name("FILE");
+  command->add_option("--json", arguments->json, "Write them as JSON; - is standard output")
+      ->type_name("FILE");
   const auto pose = add_pose_options(*command);
   command->callback([&action, place, arguments, pose] {
     action = [place, arguments, pose] { return import_inputs(*place, *arguments, *pose); };
@@ -152,15 +153,17 @@ void add_export(CLI::App& library, Action& action, const SharedLibraryPlace& pla
   auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command = library.add_subcommand("export", "A swing as files for other programs and people");
   command->add_option("SWING", arguments->id, "Its id, or the last letters of it")->required();
-  CLI::Option* files = command
-                           ->add_option("-o,--output", arguments->files,
-                                        "Files to write: .csv, .picture.csv, .bvh, .trc, .pose.json, .body.json, "
-                                        ".analysis.json, .html, .overlay.mp4, or the film with its own ending")
-                           ->type_name("FILE");
+  CLI::Option* files =
+      command
+          ->add_option("-o,--output", arguments->files,
+                       "Files to write: .csv, .picture.csv, .bvh, .trc, .pose.json, .body.json, "
+                       ".analysis.json, .html, .overlay.mp4, or the film with its own ending")
+          ->type_name("FILE");
   CLI::Option* folder =
       command->add_option("--all", arguments->folder, "Everything that there is, into this folder")
           ->type_name("FOLDER");
-  command->add_option("--coach", arguments->coach, "The coach of page and drawn film, where not the kept one");
+  command->add_option("--coach", arguments->coach,
+                      "The coach of page and drawn film, where not the kept one");
   const auto pose = add_pose_options(*command);
   command->callback([&action, place, arguments, pose, files, folder] {
     if (files->empty() && folder->empty()) throw CLI::RequiredError("--output or --all");
@@ -175,7 +178,8 @@ void add_library_exchange(CLI::App& library, Action& action, const SharedLibrary
   add_export(library, action, place);
 
   auto id = std::make_shared<std::string>(), coach = std::make_shared<std::string>();
-  CLI::App* command = library.add_subcommand("analyze", "Compare a swing with a coach again, and keep the answer");
+  CLI::App* command =
+      library.add_subcommand("analyze", "Compare a swing with a coach again, and keep the answer");
   command->add_option("SWING", *id, "Its id, or the last letters of it")->required();
   command->add_option("--coach", *coach, "The coach, where not the one before");
   const auto pose = add_pose_options(*command);
@@ -190,8 +194,9 @@ void add_library_exchange(CLI::App& library, Action& action, const SharedLibrary
   command = library.add_subcommand("make-coach", "A swing or a motion file becomes a coach");
   command->add_option("WHAT", *what, "A swing's id, or a motion file")->required();
   command->add_option("--name", *name, "What the coach is to be called");
-  command->callback(
-      [&action, place, what, name] { action = [place, what, name] { return make_coach(*place, *what, *name); }; });
+  command->callback([&action, place, what, name] {
+    action = [place, what, name] { return make_coach(*place, *what, *name); };
+  });
 }
 
 }  // namespace posecoach

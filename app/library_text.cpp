@@ -14,8 +14,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLongestNotes = 40;
 
 std::size_t characters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 // The first `most` characters, on one line.
@@ -53,7 +53,8 @@ std::string hand_of(const SwingFacts& facts) {
 }  // namespace
 
 std::string table_of(const std::vector<Swing>& swings) {
-  std::vector<std::vector<std::string>> rows = {{"SWING", "", "RECORDED", "PERSON", "SCORE", "COACH", "NOTES"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"SWING", "", "RECORDED", "PERSON", "SCORE", "COACH", "NOTES"}};
   for (const Swing& swing : swings) {
     if (!swing.is_readable()) continue;
     const SwingFacts& facts = swing.facts;
@@ -73,26 +74,28 @@ std::string table_of(const std::vector<Swing>& swings) {
     out += line + "\n";
   }
   for (const Swing& swing : swings)
-    if (!swing.is_readable()) out += one_line(swing.id) + "  unreadable: " + one_line(swing.unreadable) + "\n";
+    if (!swing.is_readable())
+      out += one_line(swing.id) + "  unreadable: " + one_line(swing.unreadable) + "\n";
   return out;
 }
 
 std::string page_of(const Swing& swing) {
   const SwingFacts& facts = swing.facts;
   std::vector<std::pair<std::string, std::string>> rows = {
-      {"Swing", swing.id + (facts.star ? "  ★" : "") + (swing.shelf == Shelf::Trash ? "  (in the trash)" : "")},
+      {"Swing",
+       swing.id + (facts.star ? "  ★" : "") + (swing.shelf == Shelf::Trash ? "  (in the trash)" : "")},
       {"Folder", swing.folder.string()},
       {"Recorded", to_words(facts.recorded_at)},
       {"Person", facts.person},
       {"Hand", hand_of(facts)},
       {"View", facts.view},
       {"Stroke", facts.stroke},
-      {"Length", facts.frames > 0 ? rounded(facts.seconds, 2) + " s, " + std::to_string(facts.frames) + " frames"
-                                  : ""},
+      {"Length",
+       facts.frames > 0 ? rounded(facts.seconds, 2) + " s, " + std::to_string(facts.frames) + " frames" : ""},
       {"Coach", facts.coach},
-      {"Score", facts.score_percent ? rounded(*facts.score_percent, 1) + " % ± " +
-                                          rounded(facts.score_plus_minus, 1)
-                                    : ""},
+      {"Score", facts.score_percent
+                    ? rounded(*facts.score_percent, 1) + " % ± " + rounded(facts.score_plus_minus, 1)
+                    : ""},
       {"Advice", facts.advice},
       {"Camera", facts.camera},
       {"From", facts.source},
@@ -146,7 +149,8 @@ Json json_of(const Swing& swing) {
 }
 
 Json json_of(const Library& library, const std::vector<Swing>& swings) {
-  Json json{{"schema", "posecoach.library/1"}, {"folder", library.folder().string()}, {"swings", Json::array()}};
+  Json json{
+      {"schema", "posecoach.library/1"}, {"folder", library.folder().string()}, {"swings", Json::array()}};
   for (const Swing& swing : swings) json["swings"].push_back(json_of(swing));
   return json;
 }

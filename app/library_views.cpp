@@ -65,9 +65,8 @@ Result<void> verify(const LibraryPlace& place, const std::string& json) {
     findings = (*library)->check(film_opens, bar.progress());
   }
   if (!findings) return tl::unexpected(findings.error());
-  const std::size_t swings =
-      (*library)->list().value_or(std::vector<Swing>()).size() +
-      (*library)->list({.shelf = Shelf::Trash}).value_or(std::vector<Swing>()).size();
+  const std::size_t swings = (*library)->list().value_or(std::vector<Swing>()).size() +
+                             (*library)->list({.shelf = Shelf::Trash}).value_or(std::vector<Swing>()).size();
   Json answer{{"schema", "posecoach.library/1"},
               {"folder", (*library)->folder().string()},
               {"swings_checked", swings},
@@ -79,8 +78,9 @@ Result<void> verify(const LibraryPlace& place, const std::string& json) {
     for (const Finding& finding : *findings)
       std::printf("%s: %s\n", one_line(finding.where).c_str(), one_line(finding.what).c_str());
   if (!findings->empty())
-    return fail(ErrorCode::Malformed, std::to_string(findings->size()) + " of the library's things are not as they "
-                                      "were stored; the others are well");
+    return fail(ErrorCode::Malformed, std::to_string(findings->size()) +
+                                          " of the library's things are not as they "
+                                          "were stored; the others are well");
   if (json != "-") std::printf("All %zu swings are as they were stored.\n", swings);
   return {};
 }
@@ -108,20 +108,25 @@ void add_library_views(CLI::App& library, Action& action, const SharedLibraryPla
       ->transform(CLI::CheckedTransformer(orders))
       ->type_name("ORDER");
   command->add_option("--limit", query.limit, "At most so many")->type_name("NUMBER");
-  command->add_option("--json", arguments->json, "Write them as JSON; - is standard output")->type_name("FILE");
-  command->callback([&action, place, arguments] { action = [place, arguments] { return list(*place, *arguments); }; });
+  command->add_option("--json", arguments->json, "Write them as JSON; - is standard output")
+      ->type_name("FILE");
+  command->callback(
+      [&action, place, arguments] { action = [place, arguments] { return list(*place, *arguments); }; });
 
   auto id = std::make_shared<std::string>(), json = std::make_shared<std::string>();
   command = library.add_subcommand("show", "Everything about one swing");
   command->add_option("SWING", *id, "Its id, or the last letters of it")->required();
   command->add_option("--json", *json, "Write it as JSON; - is standard output")->type_name("FILE");
-  command->callback([&action, place, id, json] { action = [place, id, json] { return show(*place, *id, *json); }; });
+  command->callback(
+      [&action, place, id, json] { action = [place, id, json] { return show(*place, *id, *json); }; });
 
   auto verify_json = std::make_shared<std::string>();
   command = library.add_subcommand("verify", "Whether every swing opens and is as it was stored");
-  command->add_option("--json", *verify_json, "Write the findings as JSON; - is standard output")->type_name("FILE");
-  command->callback(
-      [&action, place, verify_json] { action = [place, verify_json] { return verify(*place, *verify_json); }; });
+  command->add_option("--json", *verify_json, "Write the findings as JSON; - is standard output")
+      ->type_name("FILE");
+  command->callback([&action, place, verify_json] {
+    action = [place, verify_json] { return verify(*place, *verify_json); };
+  });
 }
 
 }  // namespace posecoach

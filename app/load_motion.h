@@ -1,5 +1,6 @@
 // Everything that a user may name as a motion or a body, in one place:
-//   bundled:NAME, reference:NAME (a coach of the user's own), a motion file, a pose file, a film, a folder of pictures, simulated:...
+//   bundled:NAME, reference:NAME (a coach of the user's own), a motion file, a pose file, a film, a folder of
+//   pictures, simulated:...
 #pragma once
 
 #include <optional>

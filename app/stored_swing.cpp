@@ -1,7 +1,9 @@
 #include "app/stored_swing.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "app/film_pictures.h"
 #include "core/base/log.h"
 #include "core/body/body_file.h"
 #include "core/body/landmark_body.h"
@@ -96,6 +98,21 @@ Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach
   Result<AnalyzedPair> pair = analyze(input, *coach_input, analyze_options);
   if (!pair) return tl::unexpected(pair.error());
   return StoredAnswer{*std::move(student), *std::move(pair), std::move(input.body)};
+}
+
+Result<std::shared_ptr<const AnalyzedSwing>> load_analyzed_swing(const Swing& swing, const std::string& coach,
+                                                                 const LoadOptions& options) {
+  const auto film = swing.file("film");
+  if (!film) return fail(ErrorCode::Incomplete, swing.id + ": it has no film to look at");
+  Result<StoredAnswer> answer = analyze_stored(swing, coach, options);
+  if (!answer) return tl::unexpected(answer.error());
+  SeenStudent& seen = *answer->student.student;
+  std::vector<MediaTime> times;
+  for (const PoseObservation& frame : seen.track.frames) times.push_back(frame.time);
+  Result<std::shared_ptr<PictureStore>> pictures = open_film_pictures(*film, std::move(times));
+  if (!pictures) return tl::unexpected(pictures.error());
+  return std::make_shared<const AnalyzedSwing>(AnalyzedSwing{std::move(seen.track), std::move(seen.lifted),
+                                                             std::move(answer->pair), *std::move(pictures)});
 }
 
 Result<void> add_answer(SwingDraft& draft, const StoredAnswer& answer) {

@@ -2,6 +2,7 @@
 // to be kept.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "app/load_motion.h"
@@ -26,6 +27,10 @@ struct StoredAnswer {
 // his motion as it was kept. Errors: Incomplete (there was none), those of reading and comparing.
 Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach,
                                     const LoadOptions& options = {});
+
+// The same for the review, with the film's pictures. Errors: Incomplete (no film), and those above.
+Result<std::shared_ptr<const AnalyzedSwing>> load_analyzed_swing(const Swing& swing, const std::string& coach,
+                                                                 const LoadOptions& options = {});
 
 // Everything that is known about a swing into its draft; the film is the caller's.
 Result<void> add_answer(SwingDraft& draft, const StoredAnswer& answer);

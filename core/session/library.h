@@ -80,7 +80,7 @@ class Library {
   // A new swing. The draft is written into, then kept; `facts.recorded_at` of zero means now.
   Result<SwingDraft> begin(SwingFacts facts);
   // Everything onto the disk, then the rename: the swing is there whole or not at all. A new swing that
-  // cannot be kept (disk full, cancelled) stays among the leftovers.
+  // cannot be kept (disk full) stays among the leftovers, unless it was cancelled.
   Result<Swing> keep(SwingDraft draft, const Progress& progress = {});
   // A draft that starts with all that the swing holds: files may be added and replaced, then keep() puts it
   // in the swing's place in one step. For an analysis with another coach.

@@ -103,7 +103,8 @@ Result<SwingDraft> Library::begin_again(std::string_view id) {
 Result<Swing> Library::keep(SwingDraft draft, const Progress& progress) {
   Result<Swing> kept = keep_contents(draft, progress);
   // A recording that cannot be kept now, on a full disk for one, is offered again later.
-  if (!kept && draft.place_.target().empty()) draft.place_.leave();
+  if (!kept && kept.error().code != ErrorCode::Cancelled && draft.place_.target().empty())
+    draft.place_.leave();
   return kept;
 }
 
