@@ -113,7 +113,7 @@ void add_analyze_command(CLI::App& cli, Action& action) {
                       "The student's body, .body.json or any motion; measured when not given");
   command->add_option("--retarget", arguments->method, "How the coach gets into the student's body")
       ->capture_default_str()
-      ->check(CLI::IsMember({"rotation", "direction", "scale", kTransfer2d}));
+      ->check(CLI::IsMember({"rotation", "direction", "scale", "paper", "network", kTransfer2d}));
   command->add_option("--hand", arguments->hand, "The side that the student plays from")
       ->capture_default_str()
       ->check(CLI::IsMember({"left", "right", "auto"}));

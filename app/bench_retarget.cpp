@@ -1,9 +1,11 @@
 #include <cmath>
+#include <random>
 
 #include "app/bench.h"
 #include "core/body/standard_body.h"
 #include "core/motion/bundled_motion.h"
 #include "core/retarget/retarget.h"
+#include "core/retarget/webcam_noise.h"
 
 namespace posecoach {
 namespace {
@@ -36,7 +38,7 @@ Result<void> bench_retarget(const BenchOptions&, std::vector<BenchRow>& rows) {
   if (!coach) return tl::unexpected(coach.error());
   const Skeleton body = make_standard_body({.height_m = 1.65, .arms = 1.1, .shoulders = 0.9, .thighs = 1.05});
   for (const RetargetMethod method :
-       {RetargetMethod::Rotation, RetargetMethod::Direction, RetargetMethod::Scale})
+       {RetargetMethod::Rotation, RetargetMethod::Direction, RetargetMethod::Scale, RetargetMethod::Paper})
     for (const Contacts contacts : {Contacts::Off, Contacts::On}) {
       const std::string name = "retarget 300 frames, " + std::string(to_string(method)) +
                                (contacts == Contacts::On ? ", contacts" : "");
@@ -46,6 +48,12 @@ Result<void> bench_retarget(const BenchOptions&, std::vector<BenchRow>& rows) {
   positions.rotations = RotationSource::Positions;
   rows.push_back(measure("retarget 300 frames, rotation from positions", 20,
                          [&] { (void)retarget(*coach, body, positions); }));
+  std::mt19937_64 random(1);
+  const Motion filmed = with_webcam_noise(*coach, random);
+  RetargetOptions network;
+  network.method = RetargetMethod::Network;
+  rows.push_back(
+      measure("retarget 300 filmed frames, network", 20, [&] { (void)retarget(filmed, body, network); }));
   return {};
 }
 

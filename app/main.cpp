@@ -12,6 +12,7 @@
 #include "app/pose_command.h"
 #include "app/retarget_command.h"
 #include "app/simulate_command.h"
+#include "app/train_retarget_command.h"
 #include "app/train_transfer_command.h"
 #include "app/transfer_command.h"
 
@@ -59,6 +60,7 @@ int run(int argc, char** argv) {
   add_evaluate_transfer_command(*evaluate, action);
   CLI::App* train = cli.add_subcommand("train", "Train the networks");
   train->require_subcommand(1);
+  add_train_retarget_command(*train, action);
   add_train_transfer_command(*train, action);
   add_simulate_command(cli, action);
   add_bench_command(cli, action);

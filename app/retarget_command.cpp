@@ -75,7 +75,7 @@ void add_retarget_command(CLI::App& cli, Action& action) {
       ->type_name("FILE");
   command->add_option("--method", arguments->method, "How")
       ->capture_default_str()
-      ->check(CLI::IsMember({"rotation", "direction", "scale"}));
+      ->check(CLI::IsMember({"rotation", "direction", "scale", "paper", "network"}));
   command->add_option("--contacts", arguments->contacts, "Close the grip and plant the feet")
       ->capture_default_str()
       ->check(CLI::IsMember({"on", "off"}));

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <random>
 
 #include "core/base/assert.h"
 #include "core/retarget/feet.h"
 #include "core/retarget/grip.h"
 #include "core/retarget/t_pose.h"
+#include "core/retarget/webcam_noise.h"
 
 namespace posecoach {
 namespace {
@@ -124,6 +126,7 @@ void add(PairErrors& sum, const PairErrors& errors) {
   sum.eq16_cm += errors.eq16_cm;
   sum.bone_length = std::max(sum.bone_length, errors.bone_length);
   sum.slide_cm_s += errors.slide_cm_s;
+  sum.coach_slide_cm_s += errors.coach_slide_cm_s;
   sum.jitter_m_s3 += errors.jitter_m_s3;
 }
 
@@ -138,11 +141,65 @@ PairErrors mean_of(const std::vector<PairErrors>& all) {
     ++grips;
   }
   const auto count = static_cast<double>(all.size());
-  for (double* value :
-       {&mean.root, &mean.local, &mean.global, &mean.eq16_cm, &mean.slide_cm_s, &mean.jitter_m_s3})
+  for (double* value : {&mean.root, &mean.local, &mean.global, &mean.eq16_cm, &mean.slide_cm_s,
+                        &mean.coach_slide_cm_s, &mean.jitter_m_s3})
     *value /= count;
   if (grips > 0) mean.grip_cm = grip / grips;
   return mean;
+}
+
+std::vector<std::string> joint_notes(const std::vector<CharacterMotion>& motions) {
+  std::map<std::string, std::vector<std::string>> characters_of_set;
+  for (const CharacterMotion& motion : motions) {
+    auto& characters = characters_of_set[joined(roles_of(motion.motion.skeleton()))];
+    if (std::find(characters.begin(), characters.end(), motion.character) == characters.end())
+      characters.push_back(motion.character);
+  }
+  std::vector<std::string> notes;
+  for (const auto& [joints, characters] : characters_of_set) {
+    std::string note;
+    for (const std::string& character : characters) note += (note.empty() ? "" : ", ") + character;
+    notes.push_back(note + ": " + std::to_string(std::count(joints.begin(), joints.end(), ' ') + 1) +
+                    " joints: " + joints);
+  }
+  return notes;
+}
+
+// Every pair with noise of its own, the same for all methods.
+std::vector<Motion> seen_by(EvaluationInput input, const std::vector<Pair>& pairs) {
+  std::vector<Motion> coaches;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    std::mt19937_64 random(i + 1);
+    const Motion& clean = pairs[i].coach->motion;
+    coaches.push_back(input == EvaluationInput::Webcam ? with_webcam_noise(clean, random) : clean);
+  }
+  return coaches;
+}
+
+// Intra before cross, in the order of the pairs.
+std::vector<EvaluationRow> rows_of(const std::vector<EvaluatedPair>& pairs) {
+  std::vector<EvaluationRow> rows;
+  std::vector<std::vector<PairErrors>> errors;
+  for (const Structure structure : {Structure::Intra, Structure::Cross})
+    for (const EvaluatedPair& pair : pairs) {
+      if (pair.structure != structure) continue;
+      const auto same = [&](const EvaluationRow& row) {
+        return row.method == pair.method && row.structure == structure && row.input == pair.input &&
+               row.contacts == pair.contacts;
+      };
+      auto row = std::find_if(rows.begin(), rows.end(), same);
+      if (row == rows.end()) {
+        rows.push_back({pair.method, structure, pair.input, pair.contacts, 0, {}});
+        errors.emplace_back();
+        row = rows.end() - 1;
+      }
+      errors[static_cast<std::size_t>(row - rows.begin())].push_back(pair.errors);
+    }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].pairs = static_cast<int>(errors[i].size());
+    rows[i].mean = mean_of(errors[i]);
+  }
+  return rows;
 }
 
 }  // namespace
@@ -188,54 +245,62 @@ PairErrors compare(const Motion& predicted, const Motion& truth, const Motion& c
   errors.local /= 3 * points * height * height;
   errors.global /= 3 * points * height * height;
   errors.grip_cm = mean_grip_error_cm(predicted, coach);
-  errors.slide_cm_s = mean_slide_cm_s(predicted, find_foot_contacts(coach));
+  const FootContacts contacts = find_foot_contacts(coach);
+  errors.slide_cm_s = mean_slide_cm_s(predicted, contacts);
+  errors.coach_slide_cm_s = mean_slide_cm_s(coach, contacts);
   errors.jitter_m_s3 = mean_jitter(predicted, joints);
   return errors;
 }
 
-Result<Evaluation> evaluate_retarget(const std::vector<CharacterMotion>& motions, RotationSource rotations,
-                                     const Progress& progress) {
+std::vector<EvaluatedMethod> every_method() {
+  std::vector<EvaluatedMethod> methods;
+  for (const RetargetMethod method :
+       {RetargetMethod::Network, RetargetMethod::Paper, RetargetMethod::Rotation, RetargetMethod::Direction,
+        RetargetMethod::Scale}) {
+    methods.push_back({std::string(to_string(method)), {}});
+    methods.back().options.method = method;
+  }
+  return methods;
+}
+
+Result<Evaluation> evaluate_retarget(const std::vector<CharacterMotion>& motions,
+                                     const EvaluationOptions& options, const Progress& progress) {
   std::vector<CharacterMotion> sampled;
-  std::map<std::string, std::vector<std::string>> characters_of_set;
-  for (const CharacterMotion& motion : motions) {
+  for (const CharacterMotion& motion : motions)
     sampled.push_back({motion.character, motion.name, at_evaluation_rate(motion.motion)});
-    auto& characters = characters_of_set[joined(roles_of(motion.motion.skeleton()))];
-    if (std::find(characters.begin(), characters.end(), motion.character) == characters.end())
-      characters.push_back(motion.character);
-  }
   Evaluation evaluation;
-  for (const auto& [joints, characters] : characters_of_set) {
-    std::string note;
-    for (const std::string& character : characters) note += (note.empty() ? "" : ", ") + character;
-    evaluation.notes.push_back(note + ": " +
-                               std::to_string(std::count(joints.begin(), joints.end(), ' ') + 1) +
-                               " joints: " + joints);
-  }
+  evaluation.notes = joint_notes(motions);
   const std::vector<Pair> pairs = pairs_of(sampled, evaluation.notes);
   if (pairs.empty())
     return fail(ErrorCode::Incomplete, "no two characters share a motion of the same name and length");
-  constexpr std::array kMethods = {RetargetMethod::Rotation, RetargetMethod::Direction,
-                                   RetargetMethod::Scale};
+
+  const double all_runs =
+      static_cast<double>(options.inputs.size() * options.methods.size() * 2 * pairs.size());
   double done = 0;
-  for (const RetargetMethod method : kMethods)
-    for (const Structure structure : {Structure::Intra, Structure::Cross})
+  for (const EvaluationInput input : options.inputs) {
+    const std::vector<Motion> coaches = seen_by(input, pairs);
+    for (const EvaluatedMethod& method : options.methods)
       for (const Contacts contacts : {Contacts::Off, Contacts::On}) {
-        std::vector<PairErrors> all;
-        for (const Pair& pair : pairs) {
-          if (pair.structure != structure) continue;
-          if (!report(progress, "retargeting", done++ / (6.0 * static_cast<double>(pairs.size()))))
+        RetargetOptions retargeting = method.options;
+        retargeting.contacts = contacts;
+        retargeting.rotations = options.rotations;
+        retargeting.smoothing =
+            input == EvaluationInput::Webcam ? InputSmoothing::WhereDoubtful : InputSmoothing::Off;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+          const Pair& pair = pairs[i];
+          if (!report(progress, "retargeting", done++ / all_runs))
             return fail(ErrorCode::Cancelled, "the evaluation was interrupted");
-          const auto student =
-              retarget(pair.coach->motion, pair.truth->motion.skeleton(), {method, contacts, rotations});
+          const auto student = retarget(coaches[i], pair.truth->motion.skeleton(), retargeting);
           if (!student)
             return fail(student.error().code, pair.coach->character + " to " + pair.truth->character + ", " +
                                                   pair.coach->name + ": " + student.error().message);
-          all.push_back(compare(student->motion, pair.truth->motion, pair.coach->motion));
+          evaluation.pairs.push_back({method.name, pair.coach->name, pair.coach->character,
+                                      pair.truth->character, pair.structure, input, contacts,
+                                      compare(student->motion, pair.truth->motion, pair.coach->motion)});
         }
-        if (!all.empty())
-          evaluation.rows.push_back(
-              {method, structure, contacts, rotations, static_cast<int>(all.size()), mean_of(all)});
       }
+  }
+  evaluation.rows = rows_of(evaluation.pairs);
   return evaluation;
 }
 

@@ -29,6 +29,7 @@ struct PairErrors {
   double bone_length = 0;         // largest relative error
   std::optional<double> grip_cm;  // mean error of the wrists' relation while the coach's hands hold together
   double slide_cm_s = 0;          // mean speed along the floor of feet that the coach has planted
+  double coach_slide_cm_s = 0;    // the coach's own
   double jitter_m_s3 = 0;         // mean third derivative of the joints, root at the origin
 };
 // Three motions of the same frames; `predicted` and `truth` on the same skeleton. Asserts that.
@@ -39,25 +40,50 @@ struct CharacterMotion {
   Motion motion;
 };
 
+// The coach's motion as it is, or as a webcam would give it (core/retarget/webcam_noise.h), smoothed alike
+// before every method.
+enum class EvaluationInput { Clean, Webcam };
+
+// A method under a name of its own; contacts and smoothing are the evaluation's.
+struct EvaluatedMethod {
+  std::string name;
+  RetargetOptions options;
+};
+std::vector<EvaluatedMethod> every_method();
+
+struct EvaluationOptions {
+  RotationSource rotations = RotationSource::FileFirst;
+  std::vector<EvaluationInput> inputs = {EvaluationInput::Clean};
+  std::vector<EvaluatedMethod> methods = every_method();
+};
+
 enum class Structure { Intra, Cross };  // same or different set of canonical joints
 struct EvaluationRow {
-  RetargetMethod method = RetargetMethod::Rotation;
+  std::string method;
   Structure structure = Structure::Intra;
+  EvaluationInput input = EvaluationInput::Clean;
   Contacts contacts = Contacts::Off;
-  RotationSource rotations = RotationSource::FileFirst;
   int pairs = 0;
   PairErrors mean;  // over the pairs; the largest for bone_length
+};
+// What a row is the mean of.
+struct EvaluatedPair {
+  std::string method, motion, coach, student;
+  Structure structure = Structure::Intra;
+  EvaluationInput input = EvaluationInput::Clean;
+  Contacts contacts = Contacts::Off;
+  PairErrors errors;
 };
 
 struct Evaluation {
   std::vector<EvaluationRow> rows;  // only structures that occur
-  std::vector<std::string> notes;   // joint sets, pairs that were left out and why
+  std::vector<EvaluatedPair> pairs;
+  std::vector<std::string> notes;  // joint sets, pairs that were left out and why
 };
 
 // All ordered pairs of characters that share a motion's name, at 30 frames per second, every method with and
 // without contacts. Errors: Incomplete (no pair), Cancelled, those of retarget.
 Result<Evaluation> evaluate_retarget(const std::vector<CharacterMotion>& motions,
-                                     RotationSource rotations = RotationSource::FileFirst,
-                                     const Progress& progress = {});
+                                     const EvaluationOptions& options = {}, const Progress& progress = {});
 
 }  // namespace posecoach

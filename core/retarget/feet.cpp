@@ -8,6 +8,7 @@
 #include "core/retarget/limb.h"
 #include "core/retarget/root_path.h"
 #include "core/retarget/smoothing.h"
+#include "core/retarget/stride.h"
 #include "core/retarget/t_pose.h"
 
 namespace posecoach {
@@ -25,22 +26,6 @@ constexpr double kFullReach = 0.9999;
 
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
-}
-
-// The coach's ankle from his hip, in leg lengths, is the student's: his feet then go the coach's ways, and
-// standing ones stand already but for the width of the hips. Turns alone would not do it where thighs and
-// shins are proportioned differently.
-void step_like(const Motion& coach, const TPose& coach_t_pose, const Limb& coach_leg, PosedMotion& student,
-               const TPose& body_t_pose, const Limb& leg) {
-  const auto stretched = [](const TPose& t_pose, const Limb& limb) {
-    return glm::distance(t_pose.positions[index(limb.root)], t_pose.positions[index(limb.end)]);
-  };
-  const double ratio = stretched(body_t_pose, leg) / stretched(coach_t_pose, coach_leg);
-  const LimbReacher reacher(student, leg);
-  for (int f = 0; f < student.frame_count(); ++f) {
-    const Vec3 way = coach.position(f, coach_leg.end) - coach.position(f, coach_leg.root);
-    reacher.reach_for(student, f, student.position(f, leg.root) + ratio * way);
-  }
 }
 
 // From 1 to 0 with no kink at either end.
@@ -162,8 +147,7 @@ void plant_feet(const Motion& coach, PosedMotion& student) {
   const FootContacts contacts = find_foot_contacts(coach);
   const Skeleton& body = student.skeleton();
   const TPose coach_t_pose = make_t_pose(coach.skeleton()), t_pose = make_t_pose(body);
-  step_like(coach, coach_t_pose, left_leg(coach.skeleton()), student, t_pose, left_leg(body));
-  step_like(coach, coach_t_pose, right_leg(coach.skeleton()), student, t_pose, right_leg(body));
+  stride_like(coach, student);
   if (contacts.left.empty() && contacts.right.empty()) return;
   const double floor =
       contacts.floor_m * hip_height(body, t_pose) / hip_height(coach.skeleton(), coach_t_pose);

@@ -1,59 +1,24 @@
 #include "core/retarget/retarget.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
-#include "core/body/forward_kinematics.h"
+#include "core/retarget/carry.h"
+#include "core/retarget/doubt.h"
 #include "core/retarget/feet.h"
 #include "core/retarget/grip.h"
 #include "core/retarget/joint_mapping.h"
-#include "core/retarget/root_path.h"
-#include "core/retarget/turn_transfer.h"
+#include "core/retarget/learned.h"
+#include "core/retarget/stride.h"
 
 namespace posecoach {
 namespace {
 
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
-}
-
-struct Frames {
-  std::vector<Vec3> roots;
-  std::vector<Quat> global;  // frame-major
-};
-
-// The hips' path needs the pose first: the root hangs where the hips' place demands it.
-Frames turned_frames(const Motion& coach, const Skeleton& body, const RetargetOptions& options,
-                     const JointMapping& mapping) {
-  TurnTransfer transfer(coach, body, mapping, options.rotations);
-  const double scale =
-      hip_height(body, transfer.body_t_pose()) / hip_height(coach.skeleton(), transfer.source_t_pose());
-  const std::size_t joints = index(body.size());
-  Frames frames{{}, std::vector<Quat>(index(coach.frame_count()) * joints)};
-  std::vector<Vec3> positions(joints);
-  for (int frame = 0; frame < coach.frame_count(); ++frame) {
-    const auto global = std::span(frames.global).subspan(index(frame) * joints, joints);
-    transfer.rotate(frame, global);
-    if (options.method == RetargetMethod::Direction) transfer.point(frame, global);
-    joint_positions(body, Vec3(0), global, positions);
-    const Vec3 hips = scale * hip_centre(coach.skeleton(), coach.positions(frame));
-    frames.roots.push_back(hips - hip_centre(body, positions));
-  }
-  return frames;
-}
-
-Motion assemble(const Motion& coach, const Skeleton& body, Frames frames) {
-  const std::size_t joints = index(body.size());
-  std::vector<Quat> local(frames.global.size());
-  for (std::size_t first = 0; first < local.size(); first += joints)
-    local_rotations(body, std::span<const Quat>(frames.global).subspan(first, joints),
-                    std::span(local).subspan(first, joints));
-  Result<Motion> made = Motion::from_rotations(body, {coach.times().begin(), coach.times().end()},
-                                               std::move(frames.roots), std::move(local));
-  POSECOACH_ASSERT(made.has_value());
-  return *std::move(made);
 }
 
 // Joints that the coach lacks are carried by the turned body.
@@ -83,10 +48,28 @@ Motion scaled_motion(const Motion& coach, const Motion& turned, const JointMappi
   return *std::move(made);
 }
 
-constexpr std::array<std::pair<RetargetMethod, std::string_view>, 3> kMethodNames = {
+constexpr std::array<std::pair<RetargetMethod, std::string_view>, 5> kMethodNames = {
     {{RetargetMethod::Rotation, "rotation"},
      {RetargetMethod::Direction, "direction"},
-     {RetargetMethod::Scale, "scale"}}};
+     {RetargetMethod::Scale, "scale"},
+     {RetargetMethod::Paper, "paper"},
+     {RetargetMethod::Network, "network"}}};
+
+// The stages before the poses change bodies: whatever the camera did to them is repaired first.
+Result<Motion> prepared(const Motion& coach, const RetargetOptions& options) {
+  if (options.method == RetargetMethod::Network) return corrected_motion(coach);
+  if (options.smoothing == InputSmoothing::WhereDoubtful) return smoothed_where_doubtful(coach);
+  return coach;
+}
+
+Result<Motion> carried(const Motion& given, const Motion& ready, const Skeleton& body,
+                       const RetargetOptions& options) {
+  if (options.method == RetargetMethod::Paper)
+    return carried_by_paper_network(ready, body, options.paper_weights);
+  const bool turned_by_us = ready.has_rotations() && !given.has_rotations();
+  return carried_by_turns(ready, body, options.method,
+                          turned_by_us ? RotationSource::FileFirst : options.rotations);
+}
 
 }  // namespace
 
@@ -113,20 +96,30 @@ std::string_view to_string(RetargetMethod method) {
 Result<RetargetMethod> retarget_method_from_string(std::string_view name) {
   for (const auto& [method, known] : kMethodNames)
     if (known == name) return method;
-  return fail(ErrorCode::InvalidArgument,
-              "there is no method " + std::string(name) + "; choose rotation, direction or scale");
+  return fail(ErrorCode::InvalidArgument, "there is no method " + std::string(name) +
+                                              "; choose rotation, direction, scale, paper or network");
 }
 
 Result<RetargetResult> retarget(const Motion& coach, const Skeleton& body, const RetargetOptions& options) {
   Result<JointMapping> mapping = map_joints(coach.skeleton(), body);
   if (!mapping) return tl::unexpected(mapping.error());
-  Motion motion = assemble(coach, body, turned_frames(coach, body, options, *mapping));
-  if (options.method == RetargetMethod::Scale) motion = scaled_motion(coach, motion, *mapping);
-  RetargetResult result{std::move(motion), 0, {}};
-  if (options.contacts == Contacts::On) {
+  const Result<Motion> ready = prepared(coach, options);
+  if (!ready) return tl::unexpected(ready.error());
+  Result<Motion> motion = carried(coach, *ready, body, options);
+  if (!motion) return tl::unexpected(motion.error());
+  if (options.method == RetargetMethod::Scale) motion = scaled_motion(*ready, *motion, *mapping);
+  RetargetResult result{*std::move(motion), 0, {}};
+  const Stride stride = options.stride.value_or(options.method == RetargetMethod::Network ? Stride::LikeCoach
+                                                                                          : Stride::AsTurned);
+  if (options.contacts == Contacts::Off && stride == Stride::LikeCoach) {
     PosedMotion posed(result.motion);
-    plant_feet(coach, posed);
-    close_grip(coach, posed, result.contacts);
+    stride_like(*ready, posed);
+    result.motion = posed.motion();
+  }
+  if (options.contacts == Contacts::On) {  // which strides likewise
+    PosedMotion posed(result.motion);
+    plant_feet(*ready, posed);
+    close_grip(*ready, posed, result.contacts);
     result.motion = posed.motion();
   }
   result.bone_length_error_max = bone_length_error(result.motion);

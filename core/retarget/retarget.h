@@ -2,6 +2,8 @@
 // other's legs.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -15,8 +17,12 @@ namespace posecoach {
 //            T-pose.
 // direction: the coach's bone directions with the student's lengths.
 // scale:     the coach's joint positions times the ratio of heights (breaks the student's proportions: a
-// baseline).
-enum class RetargetMethod { Rotation, Direction, Scale };
+//            baseline).
+// paper:     the paper's network, on positions.
+// network:   a network takes the camera's errors out of a filmed coach's motion (nothing where there is
+// nothing
+//            to doubt), then `rotation`, then the feet go the coach's ways (Stride::LikeCoach).
+enum class RetargetMethod { Rotation, Direction, Scale, Paper, Network };
 inline constexpr RetargetMethod kDefaultRetargetMethod = RetargetMethod::Rotation;
 
 std::string_view to_string(RetargetMethod method);
@@ -27,10 +33,20 @@ enum class Contacts { Off, On };
 // What to do with rotations that the coach's file has: use them, or look at the positions alone.
 enum class RotationSource { FileFirst, Positions };
 
+// Where the student's feet go: where his turned legs put them, or the coach's ways in leg lengths
+// (core/retarget/stride.h).
+enum class Stride { AsTurned, LikeCoach };
+
+// Smoothing of positions before they change bodies, only where bones change their length.
+enum class InputSmoothing { Off, WhereDoubtful };
+
 struct RetargetOptions {
   RetargetMethod method = kDefaultRetargetMethod;
   Contacts contacts = Contacts::Off;
   RotationSource rotations = RotationSource::FileFirst;
+  InputSmoothing smoothing = InputSmoothing::Off;  // `network` smooths by itself
+  std::optional<Stride> stride = std::nullopt;     // none: LikeCoach for `network`, AsTurned for the others
+  std::filesystem::path paper_weights = {};        // of `paper`; empty: the program's own
 };
 
 // What the constraint layer did; zeros with Contacts::Off or where the coach holds nothing.

@@ -55,13 +55,13 @@ TEST(Evaluation, pairs_go_both_ways_and_structures_are_told_by_their_joints) {
                                                 {"tall", "alone", swing}};
   const auto evaluation = evaluate_retarget(motions);
   ASSERT_TRUE(evaluation) << evaluation.error().message;
-  EXPECT_EQ(evaluation->rows.size(), 12U);
+  EXPECT_EQ(evaluation->rows.size(), 20U);
   for (const EvaluationRow& row : evaluation->rows) {
     EXPECT_EQ(row.pairs, row.structure == Structure::Intra ? 2 : 4);
-    const bool is_plain_copy = row.method == RetargetMethod::Rotation && row.contacts == Contacts::Off &&
-                               row.structure == Structure::Intra;
+    const bool is_plain_copy = (row.method == "rotation" || row.method == "network") &&
+                               row.contacts == Contacts::Off && row.structure == Structure::Intra;
     EXPECT_TRUE(!is_plain_copy || row.mean.global < 1e-12) << row.mean.global;
-    EXPECT_TRUE(row.method == RetargetMethod::Scale || row.mean.bone_length < 1e-9);
+    EXPECT_TRUE(row.method == "scale" || row.mean.bone_length < 1e-9);
     ASSERT_TRUE(row.mean.grip_cm);
     EXPECT_TRUE(row.contacts == Contacts::Off || *row.mean.grip_cm < 0.3);
   }
@@ -86,14 +86,26 @@ TEST(Evaluation, real_characters_doing_the_same_motion) {
       motions.push_back({character.path().filename(), file.path().stem(), read->motion});
     }
   for (const RotationSource source : {RotationSource::FileFirst, RotationSource::Positions}) {
-    const auto evaluation = evaluate_retarget(motions, source);
+    EvaluationOptions options;
+    options.rotations = source;
+    const auto evaluation = evaluate_retarget(motions, options);
     ASSERT_TRUE(evaluation) << evaluation.error().message;
     for (const EvaluationRow& row : evaluation->rows) {
-      if (row.contacts == Contacts::On || row.method == RetargetMethod::Scale) continue;
-      const bool rotation = row.method == RetargetMethod::Rotation, intra = row.structure == Structure::Intra;
-      EXPECT_LT(row.mean.global, rotation ? (intra ? 6.9e-4 : 8.0e-4) : (intra ? 9.7e-4 : 1.1e-3));
-      EXPECT_LT(row.mean.local, rotation ? (intra ? 1.4e-4 : 7e-5) : (intra ? 4.5e-4 : 4.6e-4));
+      if (row.contacts == Contacts::On || row.method == "scale") continue;
+      const bool intra = row.structure == Structure::Intra;
       EXPECT_LT(row.mean.bone_length, 1e-3);
+      if (row.method == "network") {
+        EXPECT_LT(row.mean.global, intra ? 5.0e-4 : 6.0e-4);
+        EXPECT_LT(row.mean.local, intra ? 1.2e-4 : 4.4e-5);
+      } else if (row.method == "rotation") {
+        EXPECT_LT(row.mean.global, intra ? 6.9e-4 : 8.0e-4);
+        EXPECT_LT(row.mean.local, intra ? 1.4e-4 : 7e-5);
+      } else if (row.method == "direction") {
+        EXPECT_LT(row.mean.global, intra ? 9.7e-4 : 1.1e-3);
+        EXPECT_LT(row.mean.local, intra ? 4.5e-4 : 4.6e-4);
+      } else if (intra) {
+        EXPECT_LT(row.mean.local, 1.6e-3) << row.method;
+      }
     }
   }
 }

@@ -81,7 +81,7 @@ TEST_P(EveryMethod, one_frame_is_a_motion_too) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                          testing::Values(RetargetMethod::Rotation, RetargetMethod::Direction,
-                                         RetargetMethod::Scale),
+                                         RetargetMethod::Scale, RetargetMethod::Network),
                          [](const auto& method) { return std::string(to_string(method.param)); });
 
 TEST(Retarget, the_same_rotations_on_another_body_of_the_same_rest_directions_come_out_exactly) {

@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "core/body/standard_body.h"
+#include "core/motion/bundled_motion.h"
+#include "core/retarget/doubt.h"
+#include "core/retarget/retarget.h"
+#include "core/retarget/webcam_noise.h"
+#include "tests/core/retarget/motions.h"
+
+namespace posecoach {
+namespace {
+
+Motion filmed_swing(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  return with_webcam_noise(resample(*bundled_motion("swing"), 30), random);
+}
+
+TEST(WebcamNoise, is_the_same_for_the_same_seed_and_worse_in_depth) {
+  const Motion clean = resample(*bundled_motion("swing"), 30), one = filmed_swing(1), same = filmed_swing(1);
+  EXPECT_FALSE(one.has_rotations());
+  Vec3 squares(0);
+  for (int f = 0; f < one.frame_count(); ++f)
+    for (int j = 0; j < one.joint_count(); ++j) {
+      EXPECT_EQ(one.position(f, j), same.position(f, j));
+      const Vec3 off = one.position(f, j) - clean.position(f, j);
+      squares += off * off;
+    }
+  EXPECT_GT(squares.z, 4 * squares.x);
+}
+
+TEST(Doubt, leaves_exact_motions_alone_and_sees_what_a_webcam_did) {
+  const Motion clean = resample(*bundled_motion("swing"), 30);
+  for (const Motion& motion : {clean, without_rotations(clean)})
+    for (const double doubt : doubts(motion)) EXPECT_EQ(doubt, 0);
+  for (const double doubt : doubts(filmed_swing(2))) EXPECT_EQ(doubt, 1);
+}
+
+TEST(Network, is_geometry_but_for_the_stride_where_there_is_nothing_to_doubt) {
+  const Motion coach = resample(*bundled_motion("swing"), 30);
+  const Skeleton body = make_standard_body({.height_m = 1.6, .arms = 1.15, .thighs = 1.1});
+  RetargetOptions options;
+  options.stride = Stride::LikeCoach;
+  for (const Motion& motion : {coach, without_rotations(coach)}) {
+    const auto network = retarget(motion, body, {.method = RetargetMethod::Network});
+    const auto geometry = retarget(motion, body, options);
+    ASSERT_TRUE(network && geometry);
+    for (int f = 0; f < coach.frame_count(); ++f)
+      for (int j = 0; j < body.size(); ++j)
+        EXPECT_EQ(network->motion.position(f, j), geometry->motion.position(f, j));
+  }
+}
+
+TEST(Stride, ankles_stand_from_the_hips_as_the_coachs_do_in_leg_lengths) {
+  const Motion coach = resample(*bundled_motion("swing"), 30);
+  const Skeleton body = make_standard_body({.height_m = 1.8, .thighs = 0.9, .shins = 1.1});
+  const auto student = retarget(coach, body, {.stride = Stride::LikeCoach});
+  ASSERT_TRUE(student);
+  using enum HumanoidJoint;
+  const double ratio = body.leg_length() / coach.skeleton().leg_length();
+  for (int f = 0; f < coach.frame_count(); ++f)
+    for (const auto& [hip, ankle] : {std::pair(LeftHip, LeftAnkle), std::pair(RightHip, RightAnkle)}) {
+      const auto way = [&](const Motion& motion) {
+        return motion.position(f, motion.skeleton().find(ankle)) -
+               motion.position(f, motion.skeleton().find(hip));
+      };
+      EXPECT_LT(glm::distance(way(student->motion), ratio * way(coach)), 2e-3);
+    }
+  EXPECT_LT(student->bone_length_error_max, 1e-9);
+}
+
+TEST(Network, keeps_bones_and_times_of_filmed_motions_of_any_length) {
+  const Skeleton body = make_standard_body({.height_m = 1.6, .arms = 1.15});
+  const Motion filmed = filmed_swing(3);
+  for (const int frames : {1, 3, filmed.frame_count()}) {
+    const Motion coach = filmed.slice(0, frames);
+    const auto carried = retarget(coach, body, {.method = RetargetMethod::Network});
+    ASSERT_TRUE(carried) << carried.error().message;
+    EXPECT_EQ(carried->motion.frame_count(), frames);
+    EXPECT_LT(carried->bone_length_error_max, 1e-9);
+  }
+}
+
+TEST(Network, is_nearer_to_the_truth_than_geometry_on_filmed_motions) {
+  const Skeleton body = make_standard_body({.height_m = 1.6, .arms = 1.15});
+  const Motion clean = resample(*bundled_motion("swing"), 30);
+  const auto truth = retarget(clean, body);
+  ASSERT_TRUE(truth);
+  const auto error = [&](const Motion& motion) {
+    double sum = 0;
+    for (int f = 0; f < motion.frame_count(); ++f)
+      for (int j = 0; j < motion.joint_count(); ++j) {
+        const Vec3 off = motion.position(f, j) - motion.position(f, 0) -
+                         (truth->motion.position(f, j) - truth->motion.position(f, 0));
+        sum += glm::dot(off, off);
+      }
+    return sum;
+  };
+  double network = 0, rotation = 0;
+  for (std::uint64_t seed = 11; seed < 17; ++seed) {
+    const Motion coach = filmed_swing(seed);
+    const auto ours = retarget(coach, body, {.method = RetargetMethod::Network});
+    const auto plain = retarget(
+        coach, body, {.method = RetargetMethod::Rotation, .smoothing = InputSmoothing::WhereDoubtful});
+    ASSERT_TRUE(ours && plain);
+    network += error(ours->motion);
+    rotation += error(plain->motion);
+  }
+  EXPECT_LT(network, 0.75 * rotation) << network / rotation;
+}
+
+}  // namespace
+}  // namespace posecoach
