@@ -23,7 +23,6 @@ constexpr int kSightingsAFit = 5;
 // Over a fifth of a second, joints that stand tremble slower than this, seen in sizes of the torso a second.
 constexpr double kStandingSpeed = 0.8, kRecent_s = 0.2;
 constexpr double kGroundWeight = 0.3;
-constexpr double kWorldMoves_m = 0.5;
 constexpr double kFacingWeight = 0.1;
 
 double torso_px(const SeenPerson& person) {
@@ -199,10 +198,8 @@ void LiveLift::fit_ground() {
     return;
   }
   ground_->up = glm::normalize(glm::mix(ground_->up, up, kGroundWeight));
-  const Vec3 moved = stance.origin - ground_->origin;
-  const double down = glm::dot(moved, ground_->up);
-  const bool is_elsewhere = glm::length(moved - down * ground_->up) * scale() > kWorldMoves_m;
-  ground_->origin += is_elsewhere ? moved : kGroundWeight * down * ground_->up;
+  // The floor may rise and sink; the world does not follow him about.
+  ground_->origin += kGroundWeight * glm::dot(stance.origin - ground_->origin, ground_->up) * ground_->up;
 }
 
 double LiveLift::scale() const {
