@@ -91,7 +91,8 @@ bool SwingFinder::is_resting(double seconds, double hands_within) const {
     sum += off * off;
     ++count;
   }
-  return std::sqrt(sum / count) < hands_within;
+  // Hands that are just leaving are far from where they were most of the time.
+  return std::sqrt(sum / count) < hands_within && glm::distance(last.hands, mean) < kNearRest;
 }
 
 Vec3 SwingFinder::mean_hands(double seconds) const {

@@ -168,6 +168,7 @@ void LiveLift::fit_camera(int width_px, int height_px) {
   const double change = intrinsics_ ? mean / intrinsics_->focal_px : 1.0;
   intrinsics_ = {mean, {0.5 * width_px, 0.5 * height_px}};
   if (depth_) *depth_ *= change;
+  if (ground_) ground_->origin.z *= change;
   measured_size_.reset();
   measured_stature_.reset();
 }
@@ -193,13 +194,11 @@ void LiveLift::fit_ground() {
   }
   const Stance stance = estimate_stance(positions);
   const Vec3 up = glm::transpose(stance.world_from_camera) * Vec3(0, 1, 0);
-  if (!ground_ || camera_fits_ < kMostCameraFits / 2) {
-    ground_ = Ground{up, stance.origin};
-    return;
-  }
-  ground_->up = glm::normalize(glm::mix(ground_->up, up, kGroundWeight));
+  if (!ground_) ground_ = Ground{up, stance.origin};
   // The floor may rise and sink; the world does not follow him about.
-  ground_->origin += kGroundWeight * glm::dot(stance.origin - ground_->origin, ground_->up) * ground_->up;
+  const double weight = camera_fits_ < kMostCameraFits / 2 ? 1 : kGroundWeight;
+  ground_->up = glm::normalize(glm::mix(ground_->up, up, weight));
+  ground_->origin += weight * glm::dot(stance.origin - ground_->origin, ground_->up) * ground_->up;
 }
 
 double LiveLift::scale() const {

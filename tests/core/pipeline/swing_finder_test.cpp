@@ -55,7 +55,7 @@ class SwingFinderScenes : public testing::TestWithParam<Scene> {};
 
 TEST_P(SwingFinderScenes, every_stroke_is_found_once_with_its_begin_and_end) {
   const Scene& scene = GetParam();
-  for (const unsigned seed : {1U, 2U, 3U,4U,5U,6U,7U,8U,9U,10U,11U,12U}) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U}) {
     const GolferFilm film = film_golfer({.stroke = scene.stroke,
                                          .is_left_handed = scene.is_left_handed,
                                          .parts = {{Walk, 3},
