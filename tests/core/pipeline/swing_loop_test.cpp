@@ -182,9 +182,15 @@ TEST(SwingLoop, the_ghost_goes_through_the_swing_with_the_golfer) {
       ASSERT_TRUE(s.ghost);
       off_s.push_back(std::abs(s.ghost->coach_frame / 120.0 - t));
     }
+    const CoachSnapshot& finish = *(session.snapshots.end() - 20);
+    for (const HumanoidJoint joint :
+         {HumanoidJoint::LeftWrist, HumanoidJoint::RightHip, HumanoidJoint::LeftKnee})
+      EXPECT_GT(finish.ghost->closeness[static_cast<std::size_t>(joint)], 0.6) << to_string(joint);
     std::sort(off_s.begin(), off_s.end());
     EXPECT_LT(off_s[off_s.size() / 2], 0.06) << is_face_on;
-    EXPECT_LT(off_s[off_s.size() * 9 / 10], 0.2) << is_face_on;
+    // Down the line the hands leave along the line of sight, and the ghost sees it a quarter of a second
+    // late.
+    EXPECT_LT(off_s[off_s.size() * 9 / 10], is_face_on ? 0.1 : 0.3) << is_face_on;
   }
 }
 
