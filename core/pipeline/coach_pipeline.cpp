@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "core/pipeline/address_watch.h"
 #include "core/pipeline/body_measuring.h"
 #include "core/pipeline/ghost_driver.h"
 #include "core/pipeline/live_lift.h"
 #include "core/pipeline/personal_coach.h"
+#include "core/pipeline/set_up_check.h"
+#include "core/pipeline/swing_loop.h"
 
 namespace posecoach {
 namespace {
@@ -13,23 +16,23 @@ namespace {
 // A pose stage that loses its person for a frame or two does not make the skeletons flicker.
 constexpr double kHeld_s = 0.25;
 // When the first seconds give a body, and when they give a better one.
+// Counting people takes as long as a pose: now and then, and not while he swings.
+constexpr double kCountEvery_s = 1.0;
 constexpr double kFirstBody_s = 1.2, kBetterBody_s = 3.5;
 
 Sight sight_of(const PinholeCamera& camera) {
   return {glm::normalize(Vec3(0, 0, 1) * camera.rotation_camera_from_world)};
 }
 
-struct Coach {
-  Motion motion;
-  std::string source;
-};
-
 }  // namespace
 
 class CoachPipeline::Implementation {
  public:
   Implementation(std::unique_ptr<PoseEstimator> estimator, BackgroundWork& work, CoachPipelineOptions options)
-      : estimator_(std::move(estimator)), work_(work), options_(std::move(options)) {}
+      : estimator_(std::move(estimator)),
+        work_(work),
+        options_(std::move(options)),
+        loop_(work, options_.replay_s) {}
 
   Result<CoachSnapshot> step(const Frame& frame) {
     const Result<PoseObservation> seen = estimator_->estimate(frame);
@@ -39,15 +42,20 @@ class CoachPipeline::Implementation {
     snapshot.number = ++number_;
     snapshot.frame = frame;
     snapshot.person = seen->person;
-    follow_student(frame, seen->person, snapshot);
+    const std::optional<LiveStudent> student = follow_student(frame, seen->person, snapshot);
     measure_body(frame.time, snapshot);
+    step_loop(frame, *seen, student, snapshot);
+    if (const Result<void> counted = count_people(frame, student.has_value()); !counted)
+      return tl::unexpected(counted.error());
+    check_set_up(frame, seen->person, student, snapshot);
+    look_at_address(frame.time, student, snapshot);
     snapshot.measured_body = measured_body_;
     snapshot.coach_message = coach_message_;
     return snapshot;
   }
 
   void set_coach(Motion motion, std::string source) {
-    coach_ = std::make_shared<const Coach>(Coach{std::move(motion), std::move(source)});
+    coach_ = std::make_shared<const CoachInput>(CoachInput{std::move(source), std::move(motion)});
     ghost_.set_coach(nullptr);
     personalise();
   }
@@ -70,6 +78,7 @@ class CoachPipeline::Implementation {
     measuring_.reset();
     apply_size();
   }
+  SwingLoop& loop() { return loop_; }
   void set_pace(Pace pace, double speed) { ghost_.set_pace(pace, speed); }
 
   void change_source(std::string source) {
@@ -78,6 +87,10 @@ class CoachPipeline::Implementation {
     lift_.reset();
     lose_student();
     held_.reset();
+    loop_.forget();
+    checks_.reset();
+    people_.reset();
+    counted_at_.reset();
     if (measuring_) start_measuring();
   }
 
@@ -92,6 +105,7 @@ class CoachPipeline::Implementation {
   void lose_student() {
     ghost_.reset();
     hands_.reset();
+    address_.reset();
     seen_since_.reset();
   }
 
@@ -99,11 +113,13 @@ class CoachPipeline::Implementation {
     lift_.set_size(measured_body_ ? std::optional(*measured_body_) : std::nullopt, person_.height_m);
   }
 
-  void follow_student(const Frame& frame, const std::optional<SeenPerson>& person, CoachSnapshot& snapshot) {
-    const auto student = lift_.step(frame.time, person, frame.image->width, frame.image->height);
+  std::optional<LiveStudent> follow_student(const Frame& frame, const std::optional<SeenPerson>& person,
+                                            CoachSnapshot& snapshot) {
+    std::optional<LiveStudent> student =
+        lift_.step(frame.time, person, frame.image->width, frame.image->height);
     if (!student) {
       hold(frame.time, snapshot);
-      return;
+      return student;
     }
     if (!seen_since_) seen_since_ = frame.time;
     look_at_body(frame.time);
@@ -116,6 +132,7 @@ class CoachPipeline::Implementation {
     snapshot.camera = student->camera;
     snapshot.ghost = ghost_.step(frame.time, moment, sight, hands_);
     held_ = Held{frame.time, *snapshot.student, *snapshot.camera, snapshot.ghost};
+    return student;
   }
 
   void hold(MediaTime time, CoachSnapshot& snapshot) {
@@ -183,6 +200,55 @@ class CoachPipeline::Implementation {
     if (measuring_->is_over()) stop_measuring();
   }
 
+  void step_loop(const Frame& frame, const PoseObservation& seen, const std::optional<LiveStudent>& student,
+                 CoachSnapshot& snapshot) {
+    const auto before = loop_.swing();
+    SwingComparison comparison{coach_, {}, {}};
+    comparison.lift.height_m = person_.height_m;
+    if (measured_body_) comparison.lift.body = *measured_body_;
+    comparison.options.hand = person_.hand;
+    comparison.options.retarget = options_.retarget;
+    std::optional<JointMoment> moment;
+    if (student) moment = joint_moment(student->positions, student->confidence);
+    loop_.step(frame, seen, moment, student ? sight_of(student->camera) : Sight{}, comparison,
+               options_.source);
+    if (loop_.swing() != before) learn_hand(loop_.swing()->pair.analysis);
+    snapshot.loop = loop_.state();
+    snapshot.swing = loop_.swing();
+    snapshot.swing_message = loop_.message();
+  }
+
+  // The first swing tells with which hand he plays, if nobody has.
+  void learn_hand(const Analysis& analysis) {
+    const Handedness seen = analysis.student.hand.value_or(seen_hand_);
+    if (seen == seen_hand_) return;
+    seen_hand_ = seen;
+    if (!person_.hand) personalise();
+  }
+
+  Result<void> count_people(const Frame& frame, bool is_somebody) {
+    const bool is_due = !counted_at_ || to_seconds(frame.time - *counted_at_) >= kCountEvery_s;
+    if (!is_somebody || !is_due || loop_.phase() == SwingFinder::Phase::Swinging) return {};
+    counted_at_ = frame.time;
+    const Result<std::optional<int>> people = estimator_->count_people(frame);
+    if (!people) return tl::unexpected(people.error());
+    people_ = *people;
+    return {};
+  }
+
+  void check_set_up(const Frame& frame, const std::optional<SeenPerson>& person,
+                    const std::optional<LiveStudent>& student, CoachSnapshot& snapshot) {
+    const std::optional<View> view = student ? std::optional(student->view) : std::nullopt;
+    const std::optional<StrokeKind> stroke = ghost_.coach() ? ghost_.coach()->kind : std::nullopt;
+    snapshot.checks = checks_.step(frame.time, {person, view, people_, stroke, *frame.image});
+  }
+
+  void look_at_address(MediaTime time, const std::optional<LiveStudent>& student, CoachSnapshot& snapshot) {
+    if (!student || !ghost_.coach() || !ghost_.coach()->kind) return;
+    snapshot.address_advice = address_.step(time, *student, loop_.phase() == SwingFinder::Phase::AtAddress,
+                                            *ghost_.coach(), hand());
+  }
+
   std::unique_ptr<PoseEstimator> estimator_;
   BackgroundWork& work_;
   CoachPipelineOptions options_;
@@ -199,10 +265,16 @@ class CoachPipeline::Implementation {
   std::optional<MediaTime> seen_since_;
   std::optional<Held> held_;
 
-  std::shared_ptr<const Coach> coach_;
+  std::shared_ptr<const CoachInput> coach_;
   Pending<Result<PersonalCoach>> personal_;
   std::string coach_message_;
   GhostDriver ghost_;
+
+  SwingLoop loop_;
+  SetUpChecks checks_;
+  std::optional<int> people_;
+  std::optional<MediaTime> counted_at_;
+  AddressWatch address_;
 };
 
 CoachPipeline::CoachPipeline(std::unique_ptr<PoseEstimator> estimator, BackgroundWork& work,
@@ -225,9 +297,15 @@ void CoachPipeline::start_measuring() {
 void CoachPipeline::stop_measuring() {
   implementation_->stop_measuring();
 }
-void CoachPipeline::arm() {}
-void CoachPipeline::disarm() {}
-void CoachPipeline::dismiss_replay() {}
+void CoachPipeline::arm() {
+  implementation_->loop().arm();
+}
+void CoachPipeline::disarm() {
+  implementation_->loop().disarm();
+}
+void CoachPipeline::dismiss_replay() {
+  implementation_->loop().dismiss_replay();
+}
 void CoachPipeline::set_pace(Pace pace, double speed) {
   implementation_->set_pace(pace, speed);
 }

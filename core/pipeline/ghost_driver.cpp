@@ -33,6 +33,12 @@ Vec3 front_of(const JointMoment& student) {
   return glm::cross(level(left), Vec3(0, 1, 0));
 }
 
+// At address and while he stands about: at the top and in the finish his body is turned.
+bool has_hands_down(const JointMoment& student) {
+  return student.middle(LeftWrist, RightWrist).y <
+         0.5 * (student.middle(LeftShoulder, RightShoulder).y + student.middle(LeftHip, RightHip).y);
+}
+
 double yaw_of(const Vec3& from, const Vec3& to) {
   return std::atan2(from.z * to.x - from.x * to.z, from.x * to.x + from.z * to.z);
 }
@@ -87,7 +93,7 @@ void GhostDriver::place(MediaTime time, const JointMoment& student, const HandSp
     front_ = front;
     return;
   }
-  if (hands.hands() > kQuietHands) return;
+  if (hands.hands() > kQuietHands || !has_hands_down(student)) return;
   const double seconds = last_time_ ? std::max(0.0, to_seconds(time - *last_time_)) : 0.0;
   *feet_ += (feet - *feet_) * (1 - std::exp(-seconds / kFeetSteadied_s));
   front_ += (front - front_) * (1 - std::exp(-seconds / kFrontSteadied_s));

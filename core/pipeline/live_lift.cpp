@@ -23,7 +23,6 @@ constexpr int kSightingsAFit = 5;
 // Over a fifth of a second, joints that stand tremble slower than this, seen in sizes of the torso a second.
 constexpr double kStandingSpeed = 0.8, kRecent_s = 0.2;
 constexpr double kGroundWeight = 0.3;
-constexpr double kWorldMoves_m = 0.5;
 constexpr double kFacingWeight = 0.1;
 
 double torso_px(const SeenPerson& person) {
@@ -169,6 +168,7 @@ void LiveLift::fit_camera(int width_px, int height_px) {
   const double change = intrinsics_ ? mean / intrinsics_->focal_px : 1.0;
   intrinsics_ = {mean, {0.5 * width_px, 0.5 * height_px}};
   if (depth_) *depth_ *= change;
+  if (ground_) ground_->origin.z *= change;
   measured_size_.reset();
   measured_stature_.reset();
 }
@@ -194,15 +194,11 @@ void LiveLift::fit_ground() {
   }
   const Stance stance = estimate_stance(positions);
   const Vec3 up = glm::transpose(stance.world_from_camera) * Vec3(0, 1, 0);
-  if (!ground_ || camera_fits_ < kMostCameraFits / 2) {
-    ground_ = Ground{up, stance.origin};
-    return;
-  }
-  ground_->up = glm::normalize(glm::mix(ground_->up, up, kGroundWeight));
-  const Vec3 moved = stance.origin - ground_->origin;
-  const double down = glm::dot(moved, ground_->up);
-  const bool is_elsewhere = glm::length(moved - down * ground_->up) * scale() > kWorldMoves_m;
-  ground_->origin += is_elsewhere ? moved : kGroundWeight * down * ground_->up;
+  if (!ground_) ground_ = Ground{up, stance.origin};
+  // The floor may rise and sink; the world does not follow him about.
+  const double weight = camera_fits_ < kMostCameraFits / 2 ? 1 : kGroundWeight;
+  ground_->up = glm::normalize(glm::mix(ground_->up, up, weight));
+  ground_->origin += weight * glm::dot(stance.origin - ground_->origin, ground_->up) * ground_->up;
 }
 
 double LiveLift::scale() const {

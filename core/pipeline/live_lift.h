@@ -15,8 +15,7 @@
 namespace posecoach {
 
 struct LiveStudent {
-  // Joints of the webcam body; world as in LiftedStudent, except that it stays where it is while he moves
-  // about by less than half a metre.
+  // Joints of the webcam body; world as in LiftedStudent, its origin where he stood first.
   std::array<Vec3, kLandmarkBodyJointCount> positions;
   std::array<double, kLandmarkBodyJointCount> confidence{};
   PinholeCamera camera;

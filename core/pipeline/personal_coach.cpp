@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/coaching/posture.h"
-#include "core/coaching/swing_events.h"
 
 namespace posecoach {
 namespace {
@@ -30,6 +29,10 @@ std::vector<Vec3> PersonalCoach::positions(double time_s) const {
   return result;
 }
 
+JointTrack PersonalCoach::address() const {
+  return track.averaged(stroke.begin_s - kAddress_s, stroke.begin_s);
+}
+
 Result<PersonalCoach> make_personal_coach(const Motion& coach, const Skeleton& body, Handedness hand,
                                           const RetargetOptions& options) {
   const std::optional<SwingEvents> events = stroke_of(coach);
@@ -49,14 +52,12 @@ Result<PersonalCoach> make_personal_coach(const Motion& coach, const Skeleton& b
   if (!track) return tl::unexpected(track.error());
   const TimeWindow stroke = events ? TimeWindow{events->events.front().time_s, events->events.back().time_s}
                                    : TimeWindow{0, track->duration()};
-  const JointTrack address = track->averaged(stroke.begin_s - kAddress_s, stroke.begin_s);
-  PersonalCoach made{std::move(motion),
-                     nullptr,
-                     *std::move(track),
-                     stroke,
-                     middle_of(address, 0, HumanoidJoint::LeftAnkle, HumanoidJoint::RightAnkle),
-                     body_axes(address, 0, 0)};
+  PersonalCoach made{std::move(motion), nullptr, *std::move(track), stroke, {}, {}, {}};
   made.body = std::make_shared<const Skeleton>(made.motion.skeleton());
+  if (events) made.kind = events->kind;
+  const JointTrack address = made.address();
+  made.feet = middle_of(address, 0, HumanoidJoint::LeftAnkle, HumanoidJoint::RightAnkle);
+  made.axes = body_axes(address, 0, 0);
   return made;
 }
 

@@ -8,6 +8,7 @@
 #include "core/coaching/alignment.h"
 #include "core/coaching/body_axes.h"
 #include "core/coaching/joint_track.h"
+#include "core/coaching/swing_events.h"
 #include "core/motion/motion.h"
 #include "core/retarget/retarget.h"
 
@@ -20,9 +21,12 @@ struct PersonalCoach {
   TimeWindow stroke;  // from address to the end; the whole motion where no stroke is seen in it
   Vec3 feet;          // middle of the ankles at address
   BodyAxes axes;      // at address
+  std::optional<StrokeKind> kind;
 
   // The joints at a time of the track, straight between the two nearest frames.
   std::vector<Vec3> positions(double time_s) const;
+  // One frame: the mean over the moments before the stroke.
+  JointTrack address() const;
 };
 
 // Errors: those of retarget(), and a motion that coaching cannot use.

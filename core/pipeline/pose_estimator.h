@@ -2,6 +2,8 @@
 // time.
 #pragma once
 
+#include <optional>
+
 #include "core/base/error.h"
 #include "core/body/landmarks.h"
 #include "core/image/frame.h"
@@ -12,6 +14,9 @@ class PoseEstimator {
  public:
   virtual ~PoseEstimator() = default;
   virtual Result<PoseObservation> estimate(const Frame& frame) = 0;
+  // How many people are in the picture; nothing from a stage that cannot tell. Takes about as long as
+  // estimate(), and does not change what that answers.
+  virtual Result<std::optional<int>> count_people(const Frame&) { return std::optional<int>(); }
   // Forgets the tracked person.
   virtual void reset() = 0;
 };

@@ -44,6 +44,12 @@ class PoseTracker::Implementation {
     return follow(frame.time, **answer);
   }
 
+  Result<std::optional<int>> count_people(const Frame& frame) {
+    const auto people = detector_.detect(*frame.image);
+    if (!people) return tl::unexpected(people.error());
+    return std::optional(static_cast<int>(people->size()));
+  }
+
   void reset() {
     lose();
     last_region_.reset();
@@ -101,6 +107,10 @@ Result<PoseObservation> PoseTracker::estimate(const Frame& frame) {
   auto person = implementation_->estimate(frame);
   if (!person) return tl::unexpected(person.error());
   return PoseObservation{frame.index, frame.time, *person};
+}
+
+Result<std::optional<int>> PoseTracker::count_people(const Frame& frame) {
+  return implementation_->count_people(frame);
 }
 
 void PoseTracker::reset() {

@@ -1,0 +1,74 @@
+// Finds strokes while they happen, from the body alone: the golfer stands still at address with both hands on
+// the club, the hands go back, come through where they were, and go out on the other side to their finish.
+// Waggles come back to where they began, people who walk about have no address.
+//
+// A putt seen along the target line hardly moves in the picture; it is not found.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "core/base/time.h"
+#include "core/coaching/joint_moment.h"
+#include "core/coaching/sight.h"
+#include "core/coaching/swing_events.h"
+
+namespace posecoach {
+
+struct FoundSwing {
+  StrokeKind kind = StrokeKind::FullSwing;
+  MediaTime begin;  // the hands leave the address
+  MediaTime end;    // they rest at the finish
+};
+
+class SwingFinder {
+ public:
+  enum class Phase {
+    Searching,
+    AtAddress,  // still, hands on the club
+    Swinging    // the hands have left; a stroke, or something else
+  };
+
+  // Poses in the order of their time; a gap of over half a second begins anew. Answers in the step that saw
+  // the end of a stroke.
+  std::optional<FoundSwing> step(MediaTime time, const JointMoment& student, const Sight& sight);
+  Phase phase() const { return phase_; }
+  // How long the golfer has been at address, seconds.
+  double address_s() const { return address_s_; }
+  void reset() { *this = SwingFinder(); }
+
+ private:
+  // Lengths in torsos.
+  struct Sample {
+    MediaTime time;
+    Vec3 hands;  // over the pelvis
+    Vec3 feet;
+  };
+  struct Stroke {
+    MediaTime begin;
+    Vec3 rest, feet;
+    Vec3 back;     // farthest from rest before the hands came through
+    Vec3 through;  // farthest from rest afterwards
+    std::optional<MediaTime> passed_at;
+  };
+
+  std::optional<Sample> sample_of(MediaTime time, const JointMoment& student, const Sight& sight);
+  bool is_resting(double seconds, double hands_within) const;
+  Vec3 mean_hands(double seconds) const;
+  bool has_hands_on_club(const JointMoment& student, const Sight& sight) const;
+  void search(const JointMoment& student, const Sight& sight, double seconds);
+  std::optional<FoundSwing> follow(const JointMoment& student, const Sight& sight);
+  std::optional<FoundSwing> go_through();
+  void give_up();
+
+  Phase phase_ = Phase::Searching;
+  double torso_m_ = 0;
+  double address_s_ = 0;
+  std::deque<Sample> samples_;
+  Vec3 rest_;  // of the hands at address
+  Vec3 rest_feet_;
+  MediaTime near_rest_at_;  // when they were last there
+  Stroke stroke_;
+};
+
+}  // namespace posecoach

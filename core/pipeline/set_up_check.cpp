@@ -1,0 +1,180 @@
+#include "core/pipeline/set_up_check.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace posecoach {
+namespace {
+
+using enum Landmark;
+using enum SetUpLevel;
+
+// What is seen must last this long before it is told.
+constexpr double kLasting_s = 0.4;
+constexpr double kBrightnessEvery_s = 0.25;
+// Levels change back only when they are better by this part: they do not swing around a limit.
+constexpr double kHysteresis = 0.08;
+constexpr double kVisible = 0.5;
+constexpr double kDark = 35, kDim = 65, kGlaring = 225, kFlat = 28, kBacklight = 75;
+// Height of the golfer in the picture, of its height.
+constexpr double kFar = 0.20, kRatherFar = 0.30, kNear = 0.90;
+
+double luminance(const std::uint8_t* rgb) {
+  return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2];
+}
+
+struct Box {
+  Vec2 low, high;
+};
+
+Box box_of(const ImageKeypoints& person) {
+  Box box{person[std::size_t{0}].position_px, person[std::size_t{0}].position_px};
+  for (const ImageKeypoint& keypoint : person) {
+    box.low = glm::min(box.low, keypoint.position_px);
+    box.high = glm::max(box.high, keypoint.position_px);
+  }
+  return box;
+}
+
+// Whether `value` is below a limit, a little more willing to say what was said before.
+bool is_below(double value, double limit, bool was) {
+  return value < limit * (was ? 1 + kHysteresis : 1);
+}
+
+SetUpCheck whole_body(const SetUpSight& sight) {
+  if (!sight.person) return {SetUpTopic::WholeBody, Bad, "Step into the picture"};
+  const ImageKeypoints& image = sight.person->image;
+  const Vec2 size(sight.image.width, sight.image.height);
+  const auto is_cut = [&](std::initializer_list<Landmark> landmarks) {
+    return std::any_of(landmarks.begin(), landmarks.end(), [&](Landmark l) {
+      const Vec2& p = image[l].position_px;
+      return p.x < 0 || p.y < 0 || p.x >= size.x || p.y >= size.y;
+    });
+  };
+  // Of a pair, the hidden one behind the body does not count: it is seen from one side only.
+  const auto is_unseen = [&](Landmark left) {
+    return std::max(image[left].visibility, image[mirrored(left)].visibility) < kVisible;
+  };
+  if (is_cut({LeftShoulder, RightShoulder, LeftHip, RightHip, LeftKnee, RightKnee}))
+    return {SetUpTopic::WholeBody, Bad, "Only part of you is in the picture: step back"};
+  if (is_cut({LeftHeel, RightHeel, LeftFootIndex, RightFootIndex, LeftAnkle, RightAnkle}))
+    return {SetUpTopic::WholeBody, Poor, "Your feet are cut off: step back or tilt the camera down"};
+  if (is_cut({Nose, LeftEar, RightEar}))
+    return {SetUpTopic::WholeBody, Poor, "Your head is cut off: step back or tilt the camera up"};
+  if (is_cut({LeftWrist, RightWrist}))
+    return {SetUpTopic::WholeBody, Poor, "Your hands leave the picture: move to its middle"};
+  if (is_unseen(LeftAnkle) || is_unseen(LeftHeel))
+    return {SetUpTopic::WholeBody, Poor, "Your feet are hidden: clear what stands before them"};
+  if (is_unseen(LeftShoulder) || is_unseen(LeftHip))
+    return {SetUpTopic::WholeBody, Poor, "Your body is hidden: clear what stands before it"};
+  return {SetUpTopic::WholeBody, Good, "Whole body in view"};
+}
+
+SetUpCheck light(const std::optional<Brightness>& brightness, const SetUpCheck* before) {
+  const bool was_bad = before && before->level == Bad, was_poor = before && before->level == Poor;
+  if (!brightness) return {SetUpTopic::Light, Bad, "Step into the picture to check the light"};
+  if (is_below(brightness->person, kDark, was_bad))
+    return {SetUpTopic::Light, Bad, "Too dark: put more light on yourself"};
+  if (brightness->around - brightness->person > kBacklight * (was_poor ? 1 - kHysteresis : 1))
+    return {SetUpTopic::Light, Poor, "The light is behind you: turn the camera or light your front"};
+  if (is_below(brightness->person, kDim, was_poor))
+    return {SetUpTopic::Light, Poor, "Rather dark: more light makes the picture steadier"};
+  if (is_below(255 - brightness->person, 255 - kGlaring, was_poor))
+    return {SetUpTopic::Light, Poor, "Too bright: less direct light on yourself"};
+  if (is_below(brightness->contrast, kFlat, was_poor))
+    return {SetUpTopic::Light, Poor, "Hard to tell you from the background: other clothes or light help"};
+  return {SetUpTopic::Light, Good, "Light is good"};
+}
+
+SetUpCheck one_person(const SetUpSight& sight) {
+  if (!sight.person) return {SetUpTopic::OnePerson, Bad, "Nobody is seen"};
+  if (sight.people && *sight.people > 1)
+    return {SetUpTopic::OnePerson, Poor, "Somebody else is in the picture: only you should be"};
+  return {SetUpTopic::OnePerson, Good, "Only you in the picture"};
+}
+
+SetUpCheck view(const SetUpSight& sight) {
+  if (!sight.view || !sight.person) return {SetUpTopic::View, Bad, "Stand at address to check the view"};
+  switch (*sight.view) {
+    case View::FaceOn:
+      return {SetUpTopic::View, Good, "Face-on"};
+    case View::DownTheLine:
+      if (sight.stroke == StrokeKind::Putt)
+        return {SetUpTopic::View, Poor, "A putt cannot be judged from here: put the camera in front of you"};
+      return {SetUpTopic::View, Good, "Down the line"};
+    case View::Between:
+      break;
+  }
+  return {SetUpTopic::View, Poor,
+          "The camera sees you at an angle: put it in front of you, or on the target line"};
+}
+
+SetUpCheck distance(const SetUpSight& sight, const SetUpCheck* before) {
+  if (!sight.person) return {SetUpTopic::Distance, Bad, "Step into the picture"};
+  const Box box = box_of(sight.person->image);
+  const double part = (box.high.y - box.low.y) / sight.image.height;
+  const bool was_bad = before && before->level == Bad, was_poor = before && before->level == Poor;
+  if (is_below(part, kFar, was_bad)) return {SetUpTopic::Distance, Bad, "Too far away: come closer"};
+  if (is_below(part, kRatherFar, was_poor))
+    return {SetUpTopic::Distance, Poor, "Rather far away: come closer"};
+  if (part > kNear * (was_poor ? 1 - 0.5 * kHysteresis : 1))
+    return {SetUpTopic::Distance, Poor, "Too close for the club: step back"};
+  return {SetUpTopic::Distance, Good, "Distance is good"};
+}
+
+}  // namespace
+
+std::optional<Brightness> measure_brightness(const Image& image, const ImageKeypoints& person) {
+  constexpr int kGrid = 40;
+  const Box box = box_of(person);
+  const Vec2 size = box.high - box.low;
+  const Vec2 low = box.low - 0.5 * size, high = box.high + 0.5 * size;
+  std::vector<double> inside, around;
+  for (int gy = 0; gy < kGrid; ++gy)
+    for (int gx = 0; gx < kGrid; ++gx) {
+      const Vec2 p = low + (high - low) * Vec2((gx + 0.5) / kGrid, (gy + 0.5) / kGrid);
+      const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
+      if (x < 0 || y < 0 || x >= image.width || y >= image.height) continue;
+      // The middle of the box is body, its corners are background.
+      const Vec2 from_middle = (p - 0.5 * (box.low + box.high)) / (0.5 * size);
+      const double out = std::max(std::abs(from_middle.x), std::abs(from_middle.y));
+      if (std::abs(from_middle.x) < 0.6 && std::abs(from_middle.y) < 1)
+        inside.push_back(luminance(image.pixel(x, y)));
+      else if (out > 1)
+        around.push_back(luminance(image.pixel(x, y)));
+    }
+  if (inside.size() < 20) return std::nullopt;
+  std::sort(inside.begin(), inside.end());
+  const auto mean = [](const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+  };
+  const Brightness brightness{mean(inside), around.empty() ? mean(inside) : mean(around),
+                              inside[inside.size() * 95 / 100] - inside[inside.size() * 5 / 100]};
+  return brightness;
+}
+
+const std::vector<SetUpCheck>& SetUpChecks::step(MediaTime time, const SetUpSight& sight) {
+  if (!brightness_at_ || to_seconds(time - *brightness_at_) >= kBrightnessEvery_s || !sight.person) {
+    brightness_ = sight.person ? measure_brightness(sight.image, sight.person->image) : std::nullopt;
+    brightness_at_ = sight.person ? std::optional(time) : std::nullopt;
+  }
+  const auto before = [&](SetUpTopic topic) -> const SetUpCheck* {
+    return shown_.empty() ? nullptr : &shown_[static_cast<std::size_t>(topic)];
+  };
+  const std::array<SetUpCheck, 5> now = {whole_body(sight), light(brightness_, before(SetUpTopic::Light)),
+                                         one_person(sight), view(sight),
+                                         distance(sight, before(SetUpTopic::Distance))};
+  if (shown_.empty()) shown_.assign(now.begin(), now.end());
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    const bool is_same = now[k].level == shown_[k].level && now[k].words == shown_[k].words;
+    Candidate& candidate = candidates_[k];
+    if (is_same || candidate.check.words != now[k].words || candidate.check.level != now[k].level)
+      candidate = {now[k], time};
+    if (!is_same && to_seconds(time - candidate.since) >= kLasting_s) shown_[k] = now[k];
+  }
+  return shown_;
+}
+
+}  // namespace posecoach
