@@ -95,6 +95,10 @@ std::string body_part(const PartDifference& d, std::string_view event, Viewpoint
       return bend("your lead knee", d.amount);
     case Feature::TrailKneeBend:
       return bend("your trail knee", d.amount);
+    case Feature::LeadWristBreak:
+      return fmt::format(
+          "your lead wrist is broken {} {}", degrees(d.amount),
+          d.amount > 0 ? "more than the coach's: the putter passes the hands" : "less than the coach's");
     case Feature::StanceWidth:
       return fmt::format("your feet stand {} too {}", centimetres(d.amount),
                          d.amount > 0 ? "wide" : "narrow");

@@ -40,8 +40,9 @@ struct TimingAdvice {
   double coach_s = 0, student_s = 0;
   double ratio = 1;  // student_s / coach_s
   std::string advice;
-  double plus_minus = 0;  // of the ratio, from frame rates and noise
-  double path_ratio = 1;  // student's over coach's time along the path between the same events
+  double plus_minus = 0;   // of the ratio, from frame rates and noise
+  double path_ratio = 1;   // student's over coach's time along the path between the same events
+  std::string fault = {};  // the name that golfers know for it ("slow_backswing"), if it has one
 };
 
 struct SpatialAdvice {
@@ -50,9 +51,12 @@ struct SpatialAdvice {
   Vec3 offset_m;  // student minus coach, in the coach's facing: +X his left, +Y up, +Z his front
   double distance_m = 0;
   std::string advice;
-  double turn_deg = 0;  // where a turn or a bend differs rather than a place: student minus coach
-  double share = 0;     // of the joint error at this event that would be gone without it, 0 to 1
-  double severity = 0;  // in units of what counts as a clear difference
+  double turn_deg = 0;       // where a turn or a bend differs rather than a place: student minus coach
+  double share = 0;          // of the joint error at this event that would be gone without it, 0 to 1
+  double severity = 0;       // in units of what counts as a clear difference
+  std::string measure = {};  // what differs: "hips_to_target", "lead_arm_bend"
+  double amount = 0;         // of the measure, student minus coach: metres or degrees
+  std::string fault = {};    // the name that golfers know for it ("sway"), if it has one
 };
 
 struct Metric {
@@ -71,7 +75,11 @@ struct Advice {
   AdviceKind kind = AdviceKind::None;
   std::string text;
   int student_frame = 0, coach_frame = 0;
-  double severity = 0;  // in units of what counts as a clear difference
+  double severity = 0;       // in units of what counts as a clear difference
+  std::string fault = {};    // the name that golfers know for it, if it has one
+  std::string measure = {};  // as in SpatialAdvice; for timing the phase: "backswing"
+  std::string event = {};    // where it is told: an event; for timing the one that ends the phase
+  double amount = 0;         // as in SpatialAdvice; for timing student's over coach's time, less 1
 };
 
 // A frame pair worth looking at, worst first.

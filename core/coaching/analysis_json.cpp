@@ -45,6 +45,7 @@ Json timing_json(const Analysis& analysis) {
                     {"ratio", t.ratio},
                     {"plus_minus", t.plus_minus},
                     {"path_ratio", t.path_ratio},
+                    {"fault", t.fault},
                     {"advice", t.advice}});
   return json;
 }
@@ -60,6 +61,9 @@ Json spatial_json(const Analysis& analysis) {
                     {"distance_m", s.distance_m},
                     {"turn_deg", s.turn_deg},
                     {"share", s.share},
+                    {"measure", s.measure},
+                    {"amount", s.amount},
+                    {"fault", s.fault},
                     {"advice", s.advice}});
   return json;
 }
@@ -115,6 +119,10 @@ std::string to_json(const Analysis& analysis) {
   for (const Advice& a : analysis.advice)
     json["advice"].push_back({{"kind", to_string(a.kind)},
                               {"text", a.text},
+                              {"fault", a.fault},
+                              {"measure", a.measure},
+                              {"event", a.event},
+                              {"amount", a.amount},
                               {"student_frame", a.student_frame},
                               {"coach_frame", a.coach_frame}});
   json["notes"] = analysis.notes;

@@ -81,17 +81,25 @@ std::vector<Advice> most_important(const Analysis& analysis, const TimingResult&
     if (timing.severity[k] < 1 || is_part_of_worse(timing, k)) continue;
     all.push_back({AdviceKind::Timing, phase.advice,
                    student.track.nearest_frame(student.events->time_of(phase.to)),
-                   coach.track.nearest_frame(coach.events->time_of(phase.to)), timing.severity[k]});
+                   coach.track.nearest_frame(coach.events->time_of(phase.to)), timing.severity[k],
+                   phase.fault, std::string(text::phase(phase.from, phase.to)), phase.to, phase.ratio - 1});
   }
   for (const SpatialAdvice& spatial : analysis.spatial)
-    all.push_back(
-        {AdviceKind::Spatial, spatial.advice, spatial.student_frame, spatial.coach_frame, spatial.severity});
+    all.push_back({AdviceKind::Spatial, spatial.advice, spatial.student_frame, spatial.coach_frame,
+                   spatial.severity, spatial.fault, spatial.measure, spatial.event, spatial.amount});
   std::stable_sort(all.begin(), all.end(),
                    [](const Advice& a, const Advice& b) { return a.severity > b.severity; });
   if (all.size() > kMostAdvice) all.resize(kMostAdvice);
   if (all.empty() && !analysis.path.empty())
-    all.push_back({AdviceKind::None, text::no_clear_difference(analysis.score.percent),
-                   analysis.path.front().first, analysis.path.front().second, 0});
+    all.push_back({AdviceKind::None,
+                   text::no_clear_difference(analysis.score.percent),
+                   analysis.path.front().first,
+                   analysis.path.front().second,
+                   0,
+                   {},
+                   {},
+                   {},
+                   0});
   return all;
 }
 
