@@ -15,12 +15,20 @@
 
 namespace posecoach {
 
+// The score of a part of the body, or of a part of the stroke.
+struct PartScore {
+  std::string name;  // "hips", "trunk", "head", "lead_arm", ...; "backswing", "downswing", "follow_through"
+  double mean_joint_error_m = 0;
+  double percent = 100;  // the same formula
+};
+
 struct Score {
   double raw = 0;  // the paper's §3.4: summed joint position error along the DTW path; lower is better
   double mean_joint_error_m = 0;  // the same per path step and joint
   double percent = 100;           // 0 to 100; formula in docs/SCORE.md
   double plus_minus = 0;          // of percent: what doubt about the student's joints leaves open
   int joints_compared = 0;        // raw = mean_joint_error_m * joints_compared * pairs of the path
+  std::vector<PartScore> groups = {}, phases = {};  // phases only where the events are known
 };
 
 struct JointError {
@@ -45,6 +53,16 @@ struct TimingAdvice {
   std::string fault = {};  // the name that golfers know for it ("slow_backswing"), if it has one
 };
 
+// One of the coach's events, and the student's moment that answers it along the path.
+struct PoseMatch {
+  std::string event;
+  int student_frame = 0, coach_frame = 0;
+  double student_s = 0, coach_s = 0;  // from each one's takeaway
+  double late_s = 0;                  // the difference; negative is early
+  double apart_m = 0;                 // mean joint error then
+  std::string advice;
+};
+
 struct SpatialAdvice {
   std::string joint, event;
   int student_frame = 0, coach_frame = 0;
@@ -64,9 +82,12 @@ struct Metric {
   double value = 0, plus_minus = 0;
   std::string unit;  // "", "deg", "cm", "s", "%"
   bool available = false;
-  std::string reason;                // why not available
-  std::optional<double> coach = {};  // the same of the coach, in the student's body
-  std::string definition = {};       // one line, with the source of its usual range where there is one
+  std::string reason;                                   // why not available
+  std::optional<double> coach = {};                     // the same of the coach, in the student's body
+  std::string definition = {};                          // one line
+  std::optional<std::pair<double, double>> usual = {};  // good golfers', where there are figures
+  std::string source = {};                              // of those figures
+  std::string words = {};  // what the value says, where it is no quantity: "pelvis, chest, lead arm"
 };
 
 enum class AdviceKind { Timing, Spatial, None };
@@ -112,6 +133,7 @@ struct Analysis {
   std::vector<SwingEvent> student_events, coach_events;
   double student_takeaway_s = 0, coach_takeaway_s = 0;  // the backswing starts here, not at address
   double coach_yaw = 0;  // turn about +Y, radians, that makes the coach face as the student does
+  std::vector<PoseMatch> poses;
   std::vector<TimingAdvice> timing;
   std::vector<SpatialAdvice> spatial;
   std::vector<Metric> metrics;

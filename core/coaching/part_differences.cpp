@@ -189,21 +189,14 @@ void add_arms(Differences& d, const Vec3& feet, ArmAxes arm_axes) {
         least_confidence(d.student(), {LeftWrist, RightWrist}));
 }
 
-// Against the forearm, in the plane of target and gravity: the hands hold the grip one below the other.
-double wrist_break_deg(const JointTrack& body, const BodyAxes& axes) {
-  const Vec3 grip = in_axes(axes, body.position(0, RightWrist) - body.position(0, LeftWrist));
-  const Vec3 forearm = in_axes(axes, body.position(0, LeftWrist) - body.position(0, LeftElbow));
-  const double angle = std::atan2(grip.x, -grip.y) - std::atan2(forearm.x, -forearm.y);
-  return degrees_from_radians(std::remainder(angle, 2 * kPi));
-}
-
 void add_wrists(Differences& d) {
   const auto grip = [](const JointTrack& body) {
     return body.position(0, RightWrist) - body.position(0, LeftWrist);
   };
   const Vec3 by = grip(d.student()) - grip(d.coach());
   d.add(Feature::LeadWristBreak,
-        std::remainder(wrist_break_deg(d.student(), d.axes()) - wrist_break_deg(d.coach(), d.axes()), 360.0),
+        std::remainder(wrist_break_deg(d.student(), 0, d.axes()) - wrist_break_deg(d.coach(), 0, d.axes()),
+                       360.0),
         by, d.share(by, {std::array{RightWrist}}),
         least_confidence(d.student(), {LeftElbow, LeftWrist, RightWrist}));
 }

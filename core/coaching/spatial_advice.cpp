@@ -29,6 +29,29 @@ enum class Group {
   TrailLeg,
   Stance
 };
+JudgedPart judged_part(Group group) {
+  switch (group) {
+    case Group::Hips:
+    case Group::HipTurn:
+      return JudgedPart::Hips;
+    case Group::Chest:
+    case Group::Shoulders:
+      return JudgedPart::Trunk;
+    case Group::Head:
+      return JudgedPart::Head;
+    case Group::LeadArm:
+    case Group::TrailArm:
+    case Group::Hands:
+    case Group::Wrists:
+      return JudgedPart::Arms;
+    case Group::LeadLeg:
+    case Group::TrailLeg:
+    case Group::Stance:
+      break;
+  }
+  return JudgedPart::Legs;
+}
+
 enum class Direction { Target, Up, Ball, Any };
 
 struct FeatureRule {
@@ -153,6 +176,7 @@ std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_v
     const bool is_arm_bend = rule.feature == Feature::LeadArmBend || rule.feature == Feature::TrailArmBend;
     if (is_arm_bend && difference.amount < 0) candidate.severity /= kStraighterArmFactor;
     if (is_putt) candidate.severity /= kPuttFactor;
+    candidate.severity *= swings.strictness.of(judged_part(rule.group));
     if (event == "finish" || event == "end") candidate.severity *= kFinishWeight;
     candidate.rank = candidate.severity * std::sqrt(difference.share + 0.02);
     if (!known_fault(rule.feature, difference.amount, event, swings.student_events.kind).empty())
@@ -239,7 +263,8 @@ SpatialAdvice to_advice(const Candidate& candidate, const ComparedSwings& swings
   advice.amount = candidate.difference.amount;
   advice.fault =
       known_fault(candidate.difference.feature, advice.amount, candidate.event, swings.student_events.kind);
-  advice.advice = text::spatial(candidate.difference, candidate.event, swings.view);
+  advice.advice =
+      text::with_fault_name(text::spatial(candidate.difference, candidate.event, swings.view), advice.fault);
   return advice;
 }
 
