@@ -46,7 +46,7 @@ struct BenchPlan {
   std::vector<BenchEye> eyes = {BenchEye::TrueJoints};
   std::vector<double> frame_rates = {30};
   std::vector<double> parts = {0.75, 1, 1.5};  // of each fault's usual amount, at most its largest
-  std::vector<std::string> bodies;             // empty: all bench bodies
+  std::vector<std::string> bodies = {};        // empty: all bench bodies
 };
 // Every fault in every part on every body, hands in turn; and every faultless stroke with both hands. Errors:
 // InvalidArgument (a body of no such name).
