@@ -17,7 +17,7 @@ namespace {
 
 struct Arguments {
   std::string coach, student, body, method = std::string(to_string(kDefaultRetargetMethod)), hand = "auto",
-                                    contacts = "on";
+                                    contacts = "on", strictness;
   std::optional<double> height_m;
   AnalyzeOutputs outputs;
 };
@@ -48,6 +48,9 @@ Result<AnalyzeOptions> analyze_options(const Arguments& arguments) {
     if (!method) return tl::unexpected(method.error());
     options.retarget.method = *method;
   }
+  const Result<Strictness> strictness = Strictness::parse(arguments.strictness);
+  if (!strictness) return tl::unexpected(strictness.error());
+  options.strictness = *strictness;
   options.retarget.contacts = arguments.contacts == "on" ? Contacts::On : Contacts::Off;
   return options;
 }
@@ -122,6 +125,10 @@ void add_analyze_command(CLI::App& cli, Action& action) {
                    "Close the grip and plant the feet of the coach's motion")
       ->capture_default_str()
       ->check(CLI::IsMember({"on", "off"}));
+  command
+      ->add_option("--strictness", arguments->strictness,
+                   "How hard parts are judged, as arms=2,legs=0: 2 tells half the difference, 0 none")
+      ->type_name("PART=N,...");
   command->add_option("--height", arguments->height_m, "The student's height, for films")
       ->check(CLI::Range(0.5, 2.6))
       ->type_name("METRES");

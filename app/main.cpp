@@ -5,6 +5,7 @@
 #include "app/bench_command.h"
 #include "app/body_command.h"
 #include "app/commands.h"
+#include "app/evaluate_coaching_command.h"
 #include "app/evaluate_pose_command.h"
 #include "app/evaluate_retarget_command.h"
 #include "app/evaluate_transfer_command.h"
@@ -55,6 +56,7 @@ int run(int argc, char** argv) {
   CLI::App* evaluate =
       cli.add_subcommand("evaluate", "How good the parts are, against data with known answers");
   evaluate->require_subcommand(1);
+  add_evaluate_coaching_command(*evaluate, action);
   add_evaluate_pose_command(*evaluate, action);
   add_evaluate_retarget_command(*evaluate, action);
   add_evaluate_transfer_command(*evaluate, action);

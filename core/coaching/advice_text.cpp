@@ -1,6 +1,7 @@
 #include "core/coaching/advice_text.h"
 
 #include <fmt/core.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -95,6 +96,10 @@ std::string body_part(const PartDifference& d, std::string_view event, Viewpoint
       return bend("your lead knee", d.amount);
     case Feature::TrailKneeBend:
       return bend("your trail knee", d.amount);
+    case Feature::LeadWristBreak:
+      return fmt::format(
+          "your lead wrist is broken {} {}", degrees(d.amount),
+          d.amount > 0 ? "more than the coach's: the putter passes the hands" : "less than the coach's");
     case Feature::StanceWidth:
       return fmt::format("your feet stand {} too {}", centimetres(d.amount),
                          d.amount > 0 ? "wide" : "narrow");
@@ -148,6 +153,45 @@ std::string timing(const TimingAdvice& t, double relative_ratio, bool is_clear, 
                              percent, relative_ratio < 1 ? "quick" : "slow");
 }
 
+std::string pose_match(std::string_view event, double late_s, bool is_clear) {
+  std::string name(event);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (!is_clear) return "Your " + name + " comes in time.";
+  return fmt::format("Your {} comes {:.2f} s too {}.", name, std::abs(late_s), late_s > 0 ? "late" : "early");
+}
+
+std::string with_fault_name(std::string sentence, std::string_view fault) {
+  // What the sentence does not say already.
+  constexpr std::array kNames = {
+      Names{"sway", "a sway"}, Names{"slide", "a slide"}, Names{"early_extension", "early extension"},
+      Names{"reverse_spine_angle", "a reverse spine angle"}, Names{"chicken_wing", "a chicken wing"}};
+  for (const Names& name : kNames)
+    if (name.key == fault && !sentence.empty() && sentence.back() == '.') {
+      sentence.pop_back();
+      return sentence + ": " + std::string(name.words) + ".";
+    }
+  return sentence;
+}
+
+std::string strictness(const std::string& harder, const std::string& softer, const std::string& never) {
+  std::string words;
+  const auto add = [&](const char* how, const std::string& parts) {
+    if (!parts.empty()) words += (words.empty() ? "" : "; ") + std::string(how) + ": " + parts;
+  };
+  add("Judged harder than usual", harder);
+  add(words.empty() ? "Judged more mildly than usual" : "more mildly", softer);
+  add(words.empty() ? "Not judged" : "not at all", never);
+  return words.empty() ? words : words + ".";
+}
+
+std::string block(int swings, double mean, double deviation, const std::string& advice, int times) {
+  std::string words = swings == 1
+                          ? fmt::format("One swing: {:.0f} of 100.", mean)
+                          : fmt::format("{} swings: {:.0f} ± {:.0f} of 100.", swings, mean, deviation);
+  if (!advice.empty() && swings > 1) words += fmt::format(" In {} of them: {}", times, advice);
+  return words;
+}
+
 std::string no_clear_difference(double percent) {
   if (percent < 80)
     return "No clear difference from the coach was found: many small ones, none that stands out.";
@@ -170,9 +214,58 @@ std::string out_of_reach(double metres) {
       100 * metres);
 }
 
+std::string no_golf_stroke(const std::string& why) {
+  return "this is no golf stroke: " + why;
+}
+
+std::string hands_apart(double metres) {
+  return "the hands are " + centimetres(metres) + " apart, and no two hands on one club are";
+}
+
+std::string feet_walk(double metres) {
+  return "the feet move " + centimetres(metres) + " before the ball would be hit";
+}
+
+std::string hands_miss_the_ball(double metres) {
+  return "the hands pass " + centimetres(metres) + " away from where they started, so the ball is missed";
+}
+
+std::string no_golf_tempo(double backswing_s, double downswing_s) {
+  return fmt::format("the hands go back for {:.1f} s and forward for {:.1f} s", backswing_s, downswing_s);
+}
+
+std::string chest_does_not_turn(double angle) {
+  return "the chest turns only " + degrees(angle);
+}
+
 std::string hidden_by_view(Viewpoint view) {
   return view == Viewpoint::FaceOn ? "not visible from face-on: film down the line for it"
                                    : "not visible from down the line: film face-on for it";
+}
+
+std::string hidden_by_one_camera() {
+  return "one camera only guesses how far a body is turned";
+}
+
+std::string sequence_too_close(double frame_rate) {
+  return fmt::format("the peaks are less than a frame apart: {:.0f} frames a second cannot tell", frame_rate);
+}
+
+std::string head_is_still(double metres) {
+  return fmt::format("the head moves only {:.0f} mm", 1000 * metres);
+}
+
+std::string sequence(const std::vector<Segment>& order) {
+  std::string words;
+  for (const Segment segment : order) {
+    if (!words.empty()) words += ", ";
+    words += segment == Segment::Pelvis ? "pelvis" : segment == Segment::Chest ? "chest" : "lead arm";
+  }
+  return words;
+}
+
+std::string head_goes(bool is_with_the_hands) {
+  return is_with_the_hands ? "with the hands" : "against the hands";
 }
 
 std::string implausible(double value, std::string_view unit) {

@@ -15,12 +15,20 @@
 
 namespace posecoach {
 
+// The score of a part of the body, or of a part of the stroke.
+struct PartScore {
+  std::string name;  // "hips", "trunk", "head", "lead_arm", ...; "backswing", "downswing", "follow_through"
+  double mean_joint_error_m = 0;
+  double percent = 100;  // the same formula
+};
+
 struct Score {
   double raw = 0;  // the paper's §3.4: summed joint position error along the DTW path; lower is better
   double mean_joint_error_m = 0;  // the same per path step and joint
   double percent = 100;           // 0 to 100; formula in docs/SCORE.md
   double plus_minus = 0;          // of percent: what doubt about the student's joints leaves open
   int joints_compared = 0;        // raw = mean_joint_error_m * joints_compared * pairs of the path
+  std::vector<PartScore> groups = {}, phases = {};  // phases only where the events are known
 };
 
 struct JointError {
@@ -40,8 +48,19 @@ struct TimingAdvice {
   double coach_s = 0, student_s = 0;
   double ratio = 1;  // student_s / coach_s
   std::string advice;
-  double plus_minus = 0;  // of the ratio, from frame rates and noise
-  double path_ratio = 1;  // student's over coach's time along the path between the same events
+  double plus_minus = 0;   // of the ratio, from frame rates and noise
+  double path_ratio = 1;   // student's over coach's time along the path between the same events
+  std::string fault = {};  // the name that golfers know for it ("slow_backswing"), if it has one
+};
+
+// One of the coach's events, and the student's moment that answers it along the path.
+struct PoseMatch {
+  std::string event;
+  int student_frame = 0, coach_frame = 0;
+  double student_s = 0, coach_s = 0;  // from each one's takeaway
+  double late_s = 0;                  // the difference; negative is early
+  double apart_m = 0;                 // mean joint error then
+  std::string advice;
 };
 
 struct SpatialAdvice {
@@ -50,9 +69,12 @@ struct SpatialAdvice {
   Vec3 offset_m;  // student minus coach, in the coach's facing: +X his left, +Y up, +Z his front
   double distance_m = 0;
   std::string advice;
-  double turn_deg = 0;  // where a turn or a bend differs rather than a place: student minus coach
-  double share = 0;     // of the joint error at this event that would be gone without it, 0 to 1
-  double severity = 0;  // in units of what counts as a clear difference
+  double turn_deg = 0;       // where a turn or a bend differs rather than a place: student minus coach
+  double share = 0;          // of the joint error at this event that would be gone without it, 0 to 1
+  double severity = 0;       // in units of what counts as a clear difference
+  std::string measure = {};  // what differs: "hips_to_target", "lead_arm_bend"
+  double amount = 0;         // of the measure, student minus coach: metres or degrees
+  std::string fault = {};    // the name that golfers know for it ("sway"), if it has one
 };
 
 struct Metric {
@@ -60,9 +82,12 @@ struct Metric {
   double value = 0, plus_minus = 0;
   std::string unit;  // "", "deg", "cm", "s", "%"
   bool available = false;
-  std::string reason;                // why not available
-  std::optional<double> coach = {};  // the same of the coach, in the student's body
-  std::string definition = {};       // one line, with the source of its usual range where there is one
+  std::string reason;                                   // why not available
+  std::optional<double> coach = {};                     // the same of the coach, in the student's body
+  std::string definition = {};                          // one line
+  std::optional<std::pair<double, double>> usual = {};  // good golfers', where there are figures
+  std::string source = {};                              // of those figures
+  std::string words = {};  // what the value says, where it is no quantity: "pelvis, chest, lead arm"
 };
 
 enum class AdviceKind { Timing, Spatial, None };
@@ -71,7 +96,11 @@ struct Advice {
   AdviceKind kind = AdviceKind::None;
   std::string text;
   int student_frame = 0, coach_frame = 0;
-  double severity = 0;  // in units of what counts as a clear difference
+  double severity = 0;       // in units of what counts as a clear difference
+  std::string fault = {};    // the name that golfers know for it, if it has one
+  std::string measure = {};  // as in SpatialAdvice; for timing the phase: "backswing"
+  std::string event = {};    // where it is told: an event; for timing the one that ends the phase
+  double amount = 0;         // as in SpatialAdvice; for timing student's over coach's time, less 1
 };
 
 // A frame pair worth looking at, worst first.
@@ -104,6 +133,7 @@ struct Analysis {
   std::vector<SwingEvent> student_events, coach_events;
   double student_takeaway_s = 0, coach_takeaway_s = 0;  // the backswing starts here, not at address
   double coach_yaw = 0;  // turn about +Y, radians, that makes the coach face as the student does
+  std::vector<PoseMatch> poses;
   std::vector<TimingAdvice> timing;
   std::vector<SpatialAdvice> spatial;
   std::vector<Metric> metrics;

@@ -45,7 +45,30 @@ Json timing_json(const Analysis& analysis) {
                     {"ratio", t.ratio},
                     {"plus_minus", t.plus_minus},
                     {"path_ratio", t.path_ratio},
+                    {"fault", t.fault},
                     {"advice", t.advice}});
+  return json;
+}
+
+Json parts_json(const std::vector<PartScore>& parts) {
+  Json json = Json::array();
+  for (const PartScore& part : parts)
+    json.push_back(
+        {{"name", part.name}, {"mean_joint_error_m", part.mean_joint_error_m}, {"percent", part.percent}});
+  return json;
+}
+
+Json poses_json(const Analysis& analysis) {
+  Json json = Json::array();
+  for (const PoseMatch& match : analysis.poses)
+    json.push_back({{"event", match.event},
+                    {"student_frame", match.student_frame},
+                    {"coach_frame", match.coach_frame},
+                    {"student_s", match.student_s},
+                    {"coach_s", match.coach_s},
+                    {"late_s", match.late_s},
+                    {"apart_m", match.apart_m},
+                    {"advice", match.advice}});
   return json;
 }
 
@@ -60,6 +83,9 @@ Json spatial_json(const Analysis& analysis) {
                     {"distance_m", s.distance_m},
                     {"turn_deg", s.turn_deg},
                     {"share", s.share},
+                    {"measure", s.measure},
+                    {"amount", s.amount},
+                    {"fault", s.fault},
                     {"advice", s.advice}});
   return json;
 }
@@ -72,6 +98,9 @@ Json metrics_json(const Analysis& analysis) {
         {"available", m.available}, {"reason", m.reason}, {"definition", m.definition}};
     if (!m.available) metric["value"] = nullptr;
     if (m.coach) metric["coach"] = *m.coach;
+    if (m.usual) metric["usual"] = {m.usual->first, m.usual->second};
+    if (!m.source.empty()) metric["source"] = m.source;
+    if (!m.words.empty()) metric["words"] = m.words;
     json.push_back(std::move(metric));
   }
   return json;
@@ -94,12 +123,15 @@ std::string to_json(const Analysis& analysis) {
                    {"mean_joint_error_m", analysis.score.mean_joint_error_m},
                    {"percent", analysis.score.percent},
                    {"plus_minus", analysis.score.plus_minus},
-                   {"joints_compared", analysis.score.joints_compared}};
+                   {"joints_compared", analysis.score.joints_compared},
+                   {"groups", parts_json(analysis.score.groups)},
+                   {"phases", parts_json(analysis.score.phases)}};
   json["path"] = analysis.path;
   json["path_error_m"] = analysis.path_error_m;
   json["events"] = {{"student", json_from(analysis.student_events)},
                     {"coach", json_from(analysis.coach_events)}};
   json["takeaway_s"] = {{"student", analysis.student_takeaway_s}, {"coach", analysis.coach_takeaway_s}};
+  json["poses"] = poses_json(analysis);
   json["timing"] = timing_json(analysis);
   json["spatial"] = spatial_json(analysis);
   json["joint_errors"] = Json::array();
@@ -115,6 +147,10 @@ std::string to_json(const Analysis& analysis) {
   for (const Advice& a : analysis.advice)
     json["advice"].push_back({{"kind", to_string(a.kind)},
                               {"text", a.text},
+                              {"fault", a.fault},
+                              {"measure", a.measure},
+                              {"event", a.event},
+                              {"amount", a.amount},
                               {"student_frame", a.student_frame},
                               {"coach_frame", a.coach_frame}});
   json["notes"] = analysis.notes;

@@ -7,6 +7,7 @@
 #include "core/coaching/advice_text.h"
 #include "core/coaching/alignment.h"
 #include "core/coaching/metrics.h"
+#include "core/coaching/pose_alignment.h"
 #include "core/coaching/score.h"
 #include "core/coaching/spatial_advice.h"
 #include "core/coaching/timing_advice.h"
@@ -18,14 +19,14 @@ constexpr std::size_t kMostAdvice = 3;
 constexpr double kWorstFramesApart_s = 0.1;
 constexpr double kTransitionIsCause = 1.3;
 // Below this score the coach's motion was not found in a film without events: it shows something else.
-constexpr double kLeastPercentWithoutEvents = 30;
+constexpr double kLeastPercentWithoutEvents = 40;
 
 // A motion as a right-hander's, with its events; or why there are none.
 struct Side {
   JointTrack track;
   Handedness hand = Handedness::Right;
   std::optional<SwingEvents> events;
-  std::string reason;
+  Error reason = {};
   Sight sight;
 };
 
@@ -43,7 +44,7 @@ Result<Side> make_side(const Motion& motion, std::optional<Handedness> hand, con
   if (events)
     side.events = *std::move(events);
   else
-    side.reason = events.error().message;
+    side.reason = events.error();
   return side;
 }
 
@@ -81,22 +82,31 @@ std::vector<Advice> most_important(const Analysis& analysis, const TimingResult&
     if (timing.severity[k] < 1 || is_part_of_worse(timing, k)) continue;
     all.push_back({AdviceKind::Timing, phase.advice,
                    student.track.nearest_frame(student.events->time_of(phase.to)),
-                   coach.track.nearest_frame(coach.events->time_of(phase.to)), timing.severity[k]});
+                   coach.track.nearest_frame(coach.events->time_of(phase.to)), timing.severity[k],
+                   phase.fault, std::string(text::phase(phase.from, phase.to)), phase.to, phase.ratio - 1});
   }
   for (const SpatialAdvice& spatial : analysis.spatial)
-    all.push_back(
-        {AdviceKind::Spatial, spatial.advice, spatial.student_frame, spatial.coach_frame, spatial.severity});
+    all.push_back({AdviceKind::Spatial, spatial.advice, spatial.student_frame, spatial.coach_frame,
+                   spatial.severity, spatial.fault, spatial.measure, spatial.event, spatial.amount});
   std::stable_sort(all.begin(), all.end(),
                    [](const Advice& a, const Advice& b) { return a.severity > b.severity; });
   if (all.size() > kMostAdvice) all.resize(kMostAdvice);
   if (all.empty() && !analysis.path.empty())
-    all.push_back({AdviceKind::None, text::no_clear_difference(analysis.score.percent),
-                   analysis.path.front().first, analysis.path.front().second, 0});
+    all.push_back({AdviceKind::None,
+                   text::no_clear_difference(analysis.score.percent),
+                   analysis.path.front().first,
+                   analysis.path.front().second,
+                   0,
+                   {},
+                   {},
+                   {},
+                   0});
   return all;
 }
 
 void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrack& student) {
   analysis.score = score_of(alignment);
+  analysis.score.groups = group_scores_of(alignment);
   analysis.path = alignment.path;
   analysis.path_error_m = alignment.path_error_m;
   analysis.joint_errors = joint_errors_of(alignment);
@@ -104,17 +114,21 @@ void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrac
 }
 
 void add_strokes(Analysis& analysis, const Side& student, const Side& coach, const Alignment& alignment,
-                 Viewpoint view) {
+                 const CompareOptions& options) {
+  const Viewpoint view = options.view;
   const JointTrack turned_coach =
       coach.track.mapped([&](const Vec3& p) { return turned(p, alignment.coach_yaw); });
-  const ComparedSwings swings{student.track, *student.events, turned_coach, *coach.events,
-                              view,          student.sight};
+  const ComparedSwings swings{student.track, *student.events, turned_coach,      *coach.events,
+                              view,          student.sight,   options.strictness};
   analysis.student_events = student.events->events;
   analysis.student_takeaway_s = student.events->takeaway_s;
   TimingResult timing = find_timing_advice(swings, alignment);
   if (const std::string seen = text::seen_from(view); !seen.empty()) analysis.notes.push_back(seen);
   if (timing.in_proportion) analysis.notes.push_back(text::other_pace(timing.pace, is_one_camera(view)));
   analysis.spatial = find_spatial_advice(swings, kMostAdvice);
+  analysis.poses = match_poses(swings, alignment);
+  analysis.score.phases = phase_scores_of(alignment, *student.events);
+  if (const std::string words = options.strictness.words(); !words.empty()) analysis.notes.push_back(words);
   analysis.metrics = measure_swing(swings);
   analysis.advice = most_important(analysis, timing, student, coach);
   analysis.timing = std::move(timing.phases);
@@ -128,7 +142,9 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   if (!student) return fail(student.error().code, options.student_name + ": " + student.error().message);
   const Result<Side> coach = make_side(coach_motion, std::nullopt, {});
   if (!coach) return fail(coach.error().code, options.coach_name + ": " + coach.error().message);
-  if (!coach->events) return fail(ErrorCode::Incomplete, options.coach_name + ": " + coach->reason);
+  if (!coach->events) return fail(ErrorCode::Incomplete, options.coach_name + ": " + coach->reason.message);
+  if (student->reason.code == ErrorCode::Unsupported)
+    return fail(ErrorCode::Unsupported, options.student_name + ": " + student->reason.message);
   if (student->events && student->events->kind != coach->events->kind)
     return fail(ErrorCode::Incomplete,
                 options.student_name + " is a " + std::string(to_string(student->events->kind)) + ", " +
@@ -154,12 +170,12 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   analysis.coach_yaw = student->hand == Handedness::Left ? -alignment.coach_yaw : alignment.coach_yaw;
   add_aligned(analysis, alignment, student->track);
   if (student->events) {
-    add_strokes(analysis, *student, *coach, alignment, options.view);
+    add_strokes(analysis, *student, *coach, alignment, options);
   } else if (analysis.score.percent < kLeastPercentWithoutEvents) {
-    return fail(ErrorCode::Incomplete, options.student_name + ": " + student->reason);
+    return fail(ErrorCode::Incomplete, options.student_name + ": " + student->reason.message);
   } else {
-    analysis.notes.push_back("The student's swing could not be divided into its parts: " + student->reason +
-                             ".");
+    analysis.notes.push_back(
+        "The student's swing could not be divided into its parts: " + student->reason.message + ".");
     analysis.advice = most_important(analysis, {}, *student, *coach);
   }
   if (student->hand == Handedness::Left) mirror_names(analysis);

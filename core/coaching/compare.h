@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/coaching/analysis.h"
 #include "core/coaching/sight.h"
+#include "core/coaching/strictness.h"
 #include "core/coaching/swing_events.h"
 #include "core/coaching/viewpoint.h"
 #include "core/motion/motion.h"
@@ -17,6 +18,7 @@ struct CompareOptions {
   std::optional<Handedness> hand = {};  // the student's; detected when not given
   Viewpoint view = Viewpoint::AllSides;
   Sight sight = {};  // of the camera, in the world of the student's motion
+  Strictness strictness = {};
   // How error messages call the two.
   std::string student_name = "the student's motion", coach_name = "the coach's motion";
 };
@@ -26,7 +28,8 @@ struct CompareOptions {
 // cannot be divided into its events is searched for the coach's motion instead; the analysis says so and
 // keeps to the score. Sources and retargeting fields are the caller's to fill in. The same input gives the
 // same bits. Errors: Incomplete (missing joints, too few frames, a coach's motion that is no stroke, strokes
-// of different kinds, a student who does nothing like it).
+// of different kinds, a student who does nothing like it), Unsupported (a student who
+// does not play golf).
 Result<Analysis> compare(const Motion& student, const Motion& coach, const CompareOptions& options = {});
 
 }  // namespace posecoach

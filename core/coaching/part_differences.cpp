@@ -140,6 +140,22 @@ void add_turns(Differences& d) {
         confidence);
 }
 
+// How far an elbow stands off the line from shoulder to wrist.
+double off_line(const JointTrack& body, HumanoidJoint shoulder, HumanoidJoint elbow, HumanoidJoint wrist) {
+  const Vec3 line = body.position(0, wrist) - body.position(0, shoulder);
+  const Vec3 upper = body.position(0, elbow) - body.position(0, shoulder);
+  return glm::length(glm::cross(line, upper)) / std::max(1e-6, glm::length(line));
+}
+
+// The part of an elbow's displacement that is left when what a straighter arm takes from it is not counted:
+// the student's arms are as long as the coach's, but his hands need not be as near.
+double unexplained_by_straightening(const Differences& d, const Vec3& by, HumanoidJoint shoulder,
+                                    HumanoidJoint elbow, HumanoidJoint wrist) {
+  const double straighter =
+      off_line(d.coach(), shoulder, elbow, wrist) - off_line(d.student(), shoulder, elbow, wrist);
+  return straighter <= 0 ? 1 : std::max(0.0, 1 - straighter / std::max(1e-6, glm::length(by)));
+}
+
 void add_arms(Differences& d, const Vec3& feet, ArmAxes arm_axes) {
   const bool is_chest = arm_axes == ArmAxes::Chest;
   const Mat3 student_axes = is_chest ? chest_axes(d.student()) : Mat3(1);
@@ -153,7 +169,8 @@ void add_arms(Differences& d, const Vec3& feet, ArmAxes arm_axes) {
                            HumanoidJoint wrist, std::span<const HumanoidJoint> carried) {
     const Vec3 by = place_on_chest([&](const JointTrack& body) { return body.position(0, elbow); });
     const double confidence = least_confidence(d.student(), {shoulder, elbow, wrist});
-    d.add(place, glm::length(by), by, d.share(by, {carried}), confidence);
+    const Vec3 misplaced = by * unexplained_by_straightening(d, by, shoulder, elbow, wrist);
+    d.add(place, glm::length(misplaced), misplaced, d.share(misplaced, {carried}), confidence);
     const Vec3 hand = place_on_chest([&](const JointTrack& body) { return body.position(0, wrist); });
     d.add(bend,
           bend_deg(d.student(), 0, shoulder, elbow, wrist) - bend_deg(d.coach(), 0, shoulder, elbow, wrist),
@@ -170,6 +187,18 @@ void add_arms(Differences& d, const Vec3& feet, ArmAxes arm_axes) {
   const double out = glm::dot(over_feet, d.axes().front);
   d.add(Feature::HandsToBall, out, out * d.axes().front, d.share(out * d.axes().front, {kArms}),
         least_confidence(d.student(), {LeftWrist, RightWrist}));
+}
+
+void add_wrists(Differences& d) {
+  const auto grip = [](const JointTrack& body) {
+    return body.position(0, RightWrist) - body.position(0, LeftWrist);
+  };
+  const Vec3 by = grip(d.student()) - grip(d.coach());
+  d.add(Feature::LeadWristBreak,
+        std::remainder(wrist_break_deg(d.student(), 0, d.axes()) - wrist_break_deg(d.coach(), 0, d.axes()),
+                       360.0),
+        by, d.share(by, {std::array{RightWrist}}),
+        least_confidence(d.student(), {LeftElbow, LeftWrist, RightWrist}));
 }
 
 void add_legs(Differences& d, const Vec3& feet) {
@@ -191,6 +220,16 @@ void add_legs(Differences& d, const Vec3& feet) {
 
 }  // namespace
 
+std::string_view to_string(Feature feature) {
+  static constexpr std::array<std::string_view, kFeatureCount> kNames = {
+      "hips_to_target", "hips_up",         "hips_to_ball",   "chest_to_target", "chest_up",
+      "chest_to_ball",  "head_to_target",  "head_up",        "head_to_ball",    "hip_turn",
+      "shoulder_turn",  "shoulder_tilt",   "lead_elbow",     "trail_elbow",     "lead_arm_bend",
+      "trail_arm_bend", "hands",           "lead_knee_bend", "trail_knee_bend", "stance_width",
+      "hands_to_ball",  "lead_wrist_break"};
+  return kNames[static_cast<std::size_t>(feature)];
+}
+
 JointTrack moment_of(const JointTrack& track, double time_s) {
   return track.averaged(time_s - kMoment_s, time_s + kMoment_s);
 }
@@ -207,6 +246,7 @@ std::vector<PartDifference> part_differences(const JointTrack& student, const Jo
   add_turns(differences);
   add_arms(differences, feet, options.arm_axes);
   add_legs(differences, feet);
+  add_wrists(differences);
   return differences.take();
 }
 

@@ -34,10 +34,14 @@ enum class Feature : unsigned char {
   HandsPlace,    // in the chest's own axes, metres
   LeadKneeBend,  // degrees
   TrailKneeBend,
-  StanceWidth,  // metres
-  HandsToBall,  // over the ankles, metres: thrown out, over the top
+  StanceWidth,     // metres
+  HandsToBall,     // over the ankles, metres: thrown out, over the top
+  LeadWristBreak,  // degrees by which the lower hand is ahead of the lead forearm, towards the target
 };
-inline constexpr std::size_t kFeatureCount = 21;
+inline constexpr std::size_t kFeatureCount = 22;
+
+// "hips_to_target", "lead_arm_bend", ... as written in files.
+std::string_view to_string(Feature feature);
 
 struct PartDifference {
   Feature feature = Feature::HipsToTarget;

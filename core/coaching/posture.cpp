@@ -54,4 +54,11 @@ double spine_side_deg(const JointTrack& track, int frame, const BodyAxes& axes) 
   return degrees_from_radians(std::atan2(-spine.x, spine.y));
 }
 
+double wrist_break_deg(const JointTrack& track, int frame, const BodyAxes& axes) {
+  const Vec3 grip = in_axes(axes, track.position(frame, RightWrist) - track.position(frame, LeftWrist));
+  const Vec3 forearm = in_axes(axes, track.position(frame, LeftWrist) - track.position(frame, LeftElbow));
+  const double angle = std::atan2(grip.x, -grip.y) - std::atan2(forearm.x, -forearm.y);
+  return degrees_from_radians(std::remainder(angle, 2 * kPi));
+}
+
 }  // namespace posecoach

@@ -22,5 +22,8 @@ double tilt_deg(const JointTrack& track, int frame, HumanoidJoint left, Humanoid
 // Of the line from mid-hips to mid-shoulders out of the vertical: towards the ball, and away from the target.
 double spine_forward_deg(const JointTrack& track, int frame, const BodyAxes& axes);
 double spine_side_deg(const JointTrack& track, int frame, const BodyAxes& axes);
+// How far the lower hand on the grip is ahead of the lead forearm, towards the target, in the plane of target
+// and gravity.
+double wrist_break_deg(const JointTrack& track, int frame, const BodyAxes& axes);
 
 }  // namespace posecoach

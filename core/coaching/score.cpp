@@ -55,6 +55,63 @@ Score score_of(const Alignment& alignment) {
   return score;
 }
 
+namespace {
+
+struct BodyPart {
+  const char* name;
+  std::vector<HumanoidJoint> joints;  // of a right-hander
+};
+
+const std::vector<BodyPart>& body_parts() {
+  static const std::vector<BodyPart> parts = {
+      {"hips", {LeftHip, RightHip}},
+      {"trunk", {Spine, SpineMiddle, Chest, Neck, LeftClavicle, LeftShoulder, RightClavicle, RightShoulder}},
+      {"head", {Head, HeadTop}},
+      {"lead_arm", {LeftElbow, LeftWrist}},
+      {"trail_arm", {RightElbow, RightWrist}},
+      {"lead_leg", {LeftKnee, LeftAnkle, LeftToe, LeftToeTip}},
+      {"trail_leg", {RightKnee, RightAnkle, RightToe, RightToeTip}}};
+  return parts;
+}
+
+PartScore part_score(std::string name, double sum, double count, double leg_length_m) {
+  const double mean = count > 0 ? sum / count : 0;
+  return {std::move(name), mean, percent_from_error(mean, leg_length_m)};
+}
+
+}  // namespace
+
+std::vector<PartScore> group_scores_of(const Alignment& alignment) {
+  const double leg = leg_length(alignment.student);
+  const std::vector<JointError> errors = joint_errors_of(alignment);
+  std::vector<PartScore> scores;
+  for (const BodyPart& part : body_parts()) {
+    double sum = 0, count = 0;
+    for (const HumanoidJoint joint : part.joints)
+      for (const JointError& error : errors)
+        if (error.joint == to_string(joint)) {
+          sum += error.mean_m;
+          ++count;
+        }
+    if (count > 0) scores.push_back(part_score(part.name, sum, count, leg));
+  }
+  return scores;
+}
+
+std::vector<PartScore> phase_scores_of(const Alignment& alignment, const SwingEvents& student) {
+  const double leg = leg_length(alignment.student);
+  const double top = student.time_of("top"), impact = student.time_of("impact");
+  std::array<double, 3> sums{}, counts{};
+  for (std::size_t k = 0; k < alignment.steps.size(); ++k) {
+    const double time = alignment.student.time(alignment.steps[k].first);
+    const std::size_t phase = time < top ? 0 : time < impact ? 1 : 2;
+    sums[phase] += alignment.step_error_m[k];
+    ++counts[phase];
+  }
+  return {part_score("backswing", sums[0], counts[0], leg), part_score("downswing", sums[1], counts[1], leg),
+          part_score("follow_through", sums[2], counts[2], leg)};
+}
+
 std::vector<JointError> joint_errors_of(const Alignment& alignment) {
   std::vector<JointError> errors;
   for (const HumanoidJoint joint : alignment.joints) {

@@ -8,7 +8,9 @@
 #include <string>
 
 #include "core/coaching/advice_text.h"
+#include "core/coaching/known_fault.h"
 #include "core/coaching/part_differences.h"
+#include "core/coaching/score.h"
 
 namespace posecoach {
 namespace {
@@ -22,10 +24,34 @@ enum class Group {
   LeadArm,
   TrailArm,
   Hands,
+  Wrists,
   LeadLeg,
   TrailLeg,
   Stance
 };
+JudgedPart judged_part(Group group) {
+  switch (group) {
+    case Group::Hips:
+    case Group::HipTurn:
+      return JudgedPart::Hips;
+    case Group::Chest:
+    case Group::Shoulders:
+      return JudgedPart::Trunk;
+    case Group::Head:
+      return JudgedPart::Head;
+    case Group::LeadArm:
+    case Group::TrailArm:
+    case Group::Hands:
+    case Group::Wrists:
+      return JudgedPart::Arms;
+    case Group::LeadLeg:
+    case Group::TrailLeg:
+    case Group::Stance:
+      break;
+  }
+  return JudgedPart::Legs;
+}
+
 enum class Direction { Target, Up, Ball, Any };
 
 struct FeatureRule {
@@ -60,6 +86,7 @@ constexpr std::array<FeatureRule, kFeatureCount> kRules = {{
     {Feature::TrailKneeBend, Group::TrailLeg, "right_knee", Direction::Any, 14, 0, 28},
     {Feature::StanceWidth, Group::Stance, "left_ankle", Direction::Target, 0.05, 0.08, 0},
     {Feature::HandsToBall, Group::Hands, "left_wrist", Direction::Ball, 0.05, 0, 0.12},
+    {Feature::LeadWristBreak, Group::Wrists, "left_wrist", Direction::Any, 14, 0, 0},
 }};
 
 constexpr double kLeastConfidence = 0.5;
@@ -68,10 +95,19 @@ constexpr double kAlreadyAtAddress = 0.75;
 // A putt is a small movement: half of it is clear already.
 constexpr double kPuttFactor = 0.5;
 constexpr double kExplains = 0.8;
+constexpr double kPushes = 0.6;
 // Next to something this much worse a difference is told only when it is this clear by itself.
 constexpr double kByProduct = 0.7, kClearByItself = 2;
 // The finish is a result, not a cause.
 constexpr double kFinishWeight = 0.6;
+
+// Close to straight, an elbow's angle says little about where the hand is; and nobody is told to bend the
+// lead arm.
+constexpr double kStraighterArmFactor = 2.2;
+// What golfers have a name for is told by it, where something without a name says as much.
+constexpr double kKnownFaultFactor = 1.15;
+// Metres that are clear are those of a golfer of 1.80 m; shorter and taller ones move less and more.
+constexpr double kUsualLeg_m = 0.884;
 
 struct Candidate {
   const FeatureRule* rule = nullptr;
@@ -115,7 +151,7 @@ std::vector<PartDifference> differences_at(const ComparedSwings& swings, std::st
 }
 
 std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_view event,
-                                     const BodyAxes& axes, Anchor anchor) {
+                                     const BodyAxes& axes, Anchor anchor, double size) {
   const bool is_putt = swings.student_events.kind == StrokeKind::Putt;
   std::vector<PartDifference> differences = differences_at(swings, event, axes, anchor);
   // A webcam's body is not quite the golfer's, and its pose model leans a little: what is off from address on
@@ -130,14 +166,21 @@ std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_v
   std::vector<Candidate> found;
   for (const PartDifference& difference : differences) {
     const FeatureRule& rule = kRules[static_cast<std::size_t>(difference.feature)];
-    const double clear = clear_amount(rule, swings.view);
+    const double clear = clear_amount(rule, swings.view) * (rule.clear < 1 ? size : 1);
     if (clear <= 0 || difference.confidence < kLeastConfidence) continue;
+    // In a full swing the wrists hinge and release; over a putt they are quiet.
+    if (rule.feature == Feature::LeadWristBreak && !is_putt) continue;
     if (rule.feature == Feature::HandsToBall && event != "mid_downswing") continue;
     Candidate candidate{&rule, difference, std::string(event), 0, 0};
     candidate.severity = size_of(difference, rule, swings, axes) / clear;
+    const bool is_arm_bend = rule.feature == Feature::LeadArmBend || rule.feature == Feature::TrailArmBend;
+    if (is_arm_bend && difference.amount < 0) candidate.severity /= kStraighterArmFactor;
     if (is_putt) candidate.severity /= kPuttFactor;
+    candidate.severity *= swings.strictness.of(judged_part(rule.group));
     if (event == "finish" || event == "end") candidate.severity *= kFinishWeight;
     candidate.rank = candidate.severity * std::sqrt(difference.share + 0.02);
+    if (!known_fault(rule.feature, difference.amount, event, swings.student_events.kind).empty())
+      candidate.rank *= kKnownFaultFactor;
     found.push_back(std::move(candidate));
   }
   return found;
@@ -174,6 +217,27 @@ bool is_explained(const Candidate& candidate, const std::map<Group, Candidate>& 
         lead->second.severity > kExplains * candidate.severity)
       return true;
   }
+  const auto is_nearly_as_bad = [&](Group group, double part) {
+    const auto found = by_group.find(group);
+    return found != by_group.end() && found->second.event == candidate.event &&
+           found->second.severity > part * candidate.severity;
+  };
+  // The hands stay at the ball when the chest leaves it; in the chest's axes they are then off.
+  if (candidate.rule->feature == Feature::HandsPlace && is_nearly_as_bad(Group::Chest, kExplains))
+    return true;
+  // Shoulders that turn flat lift the chest.
+  if (candidate.difference.feature == Feature::ChestToBall && candidate.event == "top" &&
+      is_nearly_as_bad(Group::Shoulders, kPushes))
+    return true;
+  // Hips that come forward push the chest up: that is one fault, early extension.
+  if (candidate.difference.feature == Feature::ChestToBall ||
+      candidate.difference.feature == Feature::ChestUp) {
+    const auto hips = by_group.find(Group::Hips);
+    if (hips != by_group.end() && hips->second.difference.feature == Feature::HipsToBall &&
+        hips->second.difference.amount > 0 && hips->second.event == candidate.event &&
+        hips->second.severity > kPushes * candidate.severity)
+      return true;
+  }
   if (candidate.rule->group == Group::Head) {
     for (const auto& [feature, all] : moments)
       for (const Candidate& other : all)
@@ -195,7 +259,12 @@ SpatialAdvice to_advice(const Candidate& candidate, const ComparedSwings& swings
   advice.turn_deg = candidate.rule->clear >= 1 ? candidate.difference.amount : 0;
   advice.share = candidate.difference.share;
   advice.severity = candidate.severity;
-  advice.advice = text::spatial(candidate.difference, candidate.event, swings.view);
+  advice.measure = to_string(candidate.difference.feature);
+  advice.amount = candidate.difference.amount;
+  advice.fault =
+      known_fault(candidate.difference.feature, advice.amount, candidate.event, swings.student_events.kind);
+  advice.advice =
+      text::with_fault_name(text::spatial(candidate.difference, candidate.event, swings.view), advice.fault);
   return advice;
 }
 
@@ -206,10 +275,11 @@ std::vector<SpatialAdvice> find_spatial_advice(const ComparedSwings& swings, std
   const BodyAxes axes = body_axes(swings.coach, std::max(0.0, takeaway - 0.2), takeaway);
   Moments by_feature;
   Anchor anchor = Anchor::BothFeet;
+  const double size = std::clamp(leg_length(swings.coach) / kUsualLeg_m, 0.7, 1.2);
   for (const SwingEvent& event : swings.student_events.events) {
     // A film's finish is half hidden, and where in it the hands rest is a guess.
     if (event.name == "finish" && is_one_camera(swings.view)) break;
-    for (Candidate& candidate : candidates_at(swings, event.name, axes, anchor))
+    for (Candidate& candidate : candidates_at(swings, event.name, axes, anchor, size))
       by_feature[candidate.difference.feature].push_back(std::move(candidate));
     if (event.name != "impact") continue;
     // After impact he turns his back on a camera on the target line.

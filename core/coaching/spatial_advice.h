@@ -6,6 +6,7 @@
 
 #include "core/coaching/alignment.h"
 #include "core/coaching/analysis.h"
+#include "core/coaching/strictness.h"
 #include "core/coaching/swing_events.h"
 #include "core/coaching/viewpoint.h"
 
@@ -19,6 +20,7 @@ struct ComparedSwings {
   const SwingEvents& coach_events;
   Viewpoint view = Viewpoint::AllSides;
   Sight sight = {};
+  Strictness strictness = {};
 };
 
 // Clear differences only, the most important first: by how far beyond the ordinary it is and how much of the

@@ -7,6 +7,7 @@
 #include "core/base/assert.h"
 #include "core/coaching/body_axes.h"
 #include "core/coaching/signal.h"
+#include "core/coaching/stroke_check.h"
 #include "core/coaching/stroke_search.h"
 
 namespace posecoach {
@@ -106,6 +107,8 @@ Result<SwingEvents> find_swing_events(const JointTrack& track, const Segmentatio
       return fail(ErrorCode::Incomplete,
                   "the moments of the stroke do not follow each other: " + swing.events[k].name +
                       " would come before " + swing.events[k - 1].name);
+  if (const Result<void> checked = check_stroke(track, swing, options.sight); !checked)
+    return tl::unexpected(checked.error());
   return swing;
 }
 

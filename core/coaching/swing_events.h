@@ -40,7 +40,8 @@ struct SegmentationOptions {
   Sight sight = {};
 };
 
-// Errors: Incomplete with the reason why no stroke could be found or which part of it is missing.
+// Errors: Incomplete with the reason why no stroke could be found or which part of it is missing; Unsupported
+// where the hands move as in a stroke but nobody plays golf (core/coaching/stroke_check.h).
 Result<SwingEvents> find_swing_events(const JointTrack& track, const SegmentationOptions& options = {});
 
 }  // namespace posecoach

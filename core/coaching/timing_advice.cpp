@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/coaching/advice_text.h"
+#include "core/coaching/known_fault.h"
 
 namespace posecoach {
 namespace {
@@ -84,6 +85,8 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
     if (!path_agrees) severity *= 0.5;
     // The way to the finish is the golfer's own affair, unless it is far off.
     if (phase.first == "impact") severity *= 0.5;
+    severity *= swings.strictness.of(JudgedPart::Timing);
+    advice.fault = known_timing_fault(advice.from, advice.to, relative, student.kind);
     advice.advice = text::timing(advice, relative, severity >= 1, result.in_proportion);
     result.phases.push_back(std::move(advice));
     result.severity.push_back(severity);

@@ -60,6 +60,7 @@ void count_in_film_frames(Analysis& analysis, const StudentInput& student) {
   for (FramePair& pair : analysis.worst_frames) shift(pair.student_frame);
   for (SpatialAdvice& advice : analysis.spatial) shift(advice.student_frame);
   for (Advice& advice : analysis.advice) shift(advice.student_frame);
+  for (PoseMatch& match : analysis.poses) shift(match.student_frame);
   for (SwingEvent& event : analysis.student_events) {
     shift(event.frame);
     event.time_s += student.first_time_s;
@@ -124,8 +125,9 @@ Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coac
   const Result<RetargetResult> personal =
       in_body(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
   if (!personal) return fail(personal.error().code, coach.source + ": " + personal.error().message);
-  Result<Analysis> analysis = compare(student.motion, personal->motion,
-                                      {hand, student.view, student.sight, student.source, coach.source});
+  Result<Analysis> analysis =
+      compare(student.motion, personal->motion,
+              {hand, student.view, student.sight, options.strictness, student.source, coach.source});
   if (!analysis) return tl::unexpected(analysis.error());
 
   Motion drawn =

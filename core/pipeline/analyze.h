@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/coaching/analysis.h"
 #include "core/coaching/sight.h"
+#include "core/coaching/strictness.h"
 #include "core/coaching/viewpoint.h"
 #include "core/motion/motion.h"
 #include "core/pipeline/lift.h"
@@ -39,6 +40,7 @@ struct CoachInput {
 
 struct AnalyzeOptions {
   std::optional<Handedness> hand = {};  // the student's; detected when not given
+  Strictness strictness = {};
   RetargetOptions retarget{kDefaultRetargetMethod, Contacts::On, RotationSource::FileFirst};
 };
 

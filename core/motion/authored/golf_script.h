@@ -20,7 +20,7 @@ struct GolfInstant {
   double time_s = 0;
 };
 
-// Physical sizes: the club is the same for every body.
+// Physical sizes for the body that the script was written for; other bodies get a club that fits.
 struct GolfClub {
   std::string head;           // "iron" or "putter"
   double grip_to_head_m = 0;  // from the point between the hands to the head's middle
@@ -28,7 +28,7 @@ struct GolfClub {
 };
 
 struct GolfStance {
-  double width_of_shoulders = 1;  // ankle distance over shoulder distance
+  double width_of_shoulders = 1;  // ankle distance over shoulder distance, of an average body
   double lead_flare_deg = 0;      // toes outwards
   double trail_flare_deg = 0;
   double knee_flex_deg = 0;  // at address

@@ -93,8 +93,14 @@ Result<GolferBody> GolferBody::make(const Skeleton& skeleton) {
     body.ankle_height += 0.5 * (ankle.y - floor);
   }
   if (body.toes[Lead] == kNoJoint) body.ankle_height = std::max(body.ankle_height, 0.039 * stature);
-  body.shoulder_distance = glm::distance(rest(skeleton, left_shoulder), rest(skeleton, right_shoulder));
-  body.size = skeleton.leg_length() / make_standard_body({.height_m = 1.80}).leg_length();
+  const Skeleton usual = make_standard_body({.height_m = 1.80});
+  const auto distance = [](const Skeleton& of, HumanoidJoint a, HumanoidJoint b) {
+    return glm::distance(rest(of, of.find(a)), rest(of, of.find(b)));
+  };
+  body.hip_distance = distance(skeleton, LeftHip, RightHip);
+  body.usual_hip_distance = distance(usual, LeftHip, RightHip);
+  body.usual_shoulder_distance = distance(usual, LeftShoulder, RightShoulder);
+  body.size = skeleton.leg_length() / usual.leg_length();
   body.middle_of_hips_from_pelvis =
       0.5 * (rest(skeleton, body.legs[Lead].upper) + rest(skeleton, body.legs[Trail].upper)) -
       rest(skeleton, body.pelvis);

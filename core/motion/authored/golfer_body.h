@@ -36,7 +36,9 @@ struct GolferBody {
   std::array<int, 2> toes{kNoJoint, kNoJoint};
   std::array<Vec3, 2> ankle_to_toe = {};  // rest; to the ball of the toes
   double ankle_height = 0;                // over the sole, at rest
-  double shoulder_distance = 0;
+  double hip_distance = 0;
+  // Of a standard body of 1.80 m, for which the scripts are written.
+  double usual_shoulder_distance = 0, usual_hip_distance = 0;
   double size = 1;  // leg length over that of a standard body of 1.80 m: scales centimetres of the script
 
   Vec3 middle_of_hips_from_pelvis = {};  // rest

@@ -56,6 +56,9 @@ constexpr std::array<std::array<double, 3>, 2> kWristFromGrip = {
     {{-0.070, 0.014, 0.042}, {0.008, -0.016, 0.046}}};
 constexpr std::array<double, 2> kHandFromGrip = {-0.038, 0.042};
 
+// Of the club's head over the ground.
+constexpr double kHeadCentre = 0.02;
+
 // Legs and arms bend at least so much: a joint that locks would jerk.
 constexpr double kStraightestKnee = 0.10;
 
@@ -106,7 +109,11 @@ Quat GolferPoser::segment_rotation(double turn_deg, double bend_deg, double side
 }
 
 Vec3 GolferPoser::planted_ankle(int side) const {
-  const double half = 0.5 * stance_.width_of_shoulders * body_.shoulder_distance;
+  // As wide as the script says on the body that it was written for; on others the legs spread alike.
+  const double hips = 0.5 * body_.hip_distance;
+  const double half =
+      hips + body_.size * 0.5 *
+                 (stance_.width_of_shoulders * body_.usual_shoulder_distance - body_.usual_hip_distance);
   return {side == GolferBody::Lead ? half : -half, body_.ankle_height, 0};
 }
 
@@ -304,6 +311,15 @@ GolferPose GolferPoser::pose(const GolfPose& numbers) const {
   return golfer;
 }
 
+void GolferPoser::fit_club(const GolfPose& address) {
+  // As long as it takes to reach the ground from the posture that the script asks for.
+  constexpr double kShortest = 0.70, kLongest = 1.35;
+  const ClubPose club = pose(address).club;
+  const double down = (club.grip.y - club.head.y) / club_.grip_to_head_m;
+  const double wanted = (club.grip.y - kHeadCentre) / std::max(0.1, down);
+  club_.grip_to_head_m *= std::clamp(wanted / club_.grip_to_head_m, kShortest, kLongest);
+}
+
 void GolferPoser::fit_address(const GolfPose& address) {
   // Bend, then sink, until the club's head is on the ground.
   const GolfPose& numbers = address;
@@ -312,7 +328,7 @@ void GolferPoser::fit_address(const GolfPose& address) {
     hips_offset_m_ = sink_m;
     return pose(numbers).club.head.y;
   };
-  constexpr double kMostBend = 14, kMostSink = 0.15, kHeadCentre = 0.02;
+  constexpr double kMostBend = 14, kMostSink = 0.15;
   double low = -kMostBend, high = kMostBend;  // bending lowers the hands
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
@@ -369,6 +385,7 @@ Result<GolferPoser> GolferPoser::make(const Skeleton& skeleton, const GolfScript
   poser.club_ = script.club();
   poser.stance_ = script.stance();
   poser.hips_height_m_ = poser.address_hips_height();
+  poser.fit_club(script.pose(0));
   poser.fit_address(script.pose(0));
   const double impact_s = script.time_of("impact");
   poser.fit_impact(script.written_pose(impact_s), script.pose(impact_s));

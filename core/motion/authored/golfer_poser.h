@@ -1,6 +1,6 @@
 // From golf numbers to a body's pose: pelvis and back by rotation, both hands on the grip and both feet on
-// the ground by inverse kinematics. All bones keep their lengths, the club has one size for every body, and
-// the hands stay in one relation to it.
+// the ground by inverse kinematics. All bones keep their lengths, the club is fitted to the body, as good
+// golfers' clubs are, and the hands stay in one relation to it.
 #pragma once
 
 #include "core/body/forward_kinematics.h"
@@ -22,8 +22,8 @@ struct GolferPose {
 
 class GolferPoser {
  public:
-  // Fits the script's address to the body: bends it so that the club reaches the ground, and lays the ball
-  // there. Errors: Incomplete, see GolferBody.
+  // Fits the club to the body and, where no club is long or short enough, the script's address to the club:
+  // bends it so that the club reaches the ground. Lays the ball there. Errors: Incomplete, see GolferBody.
   static Result<GolferPoser> make(const Skeleton& skeleton, const GolfScript& script);
 
   GolferPose pose(const GolfPose& numbers) const;
@@ -48,6 +48,7 @@ class GolferPoser {
   Vec3 planted_ankle(int side) const;
   struct Foot;
   Foot foot(int side, const GolfPose& numbers) const;
+  void fit_club(const GolfPose& address);
   void fit_address(const GolfPose& address);
   void fit_impact(const GolfPose& written, const GolfPose& impact);
 

@@ -1,0 +1,17 @@
+// Pose alignment advice (figure 6 of the Virtual Pose Coach paper): when the golfer should be in which pose.
+// Of every event, which moment of the student answers it along the path of the alignment, and how early or
+// late that is in the rhythm of the stroke.
+#pragma once
+
+#include <vector>
+
+#include "core/coaching/alignment.h"
+#include "core/coaching/analysis.h"
+#include "core/coaching/spatial_advice.h"
+
+namespace posecoach {
+
+// Of the coach's events in their order. Times count from each one's own takeaway.
+std::vector<PoseMatch> match_poses(const ComparedSwings& swings, const Alignment& alignment);
+
+}  // namespace posecoach

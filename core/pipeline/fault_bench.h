@@ -1,0 +1,90 @@
+// How well coaching names known faults: authored strokes with one fault, or none, on many bodies, through the
+// true joints or through a camera, judged as any student's, and compared with what was put in.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/body/standard_body.h"
+#include "core/motion/authored/authored_motion.h"
+#include "core/motion/authored/golf_fault.h"
+#include "core/pipeline/analyze.h"
+
+namespace posecoach {
+
+// By which way a stroke reaches the coach.
+enum class BenchEye { TrueJoints, FaceOn, DownTheLine };
+std::string_view to_string(BenchEye eye);  // "joints", "face-on", "down-the-line"
+
+struct BenchBody {
+  std::string name;
+  BodyProportions proportions;
+};
+// The named bodies, and the extremes: 1.50 to 2.00 m, limbs a quarter longer or shorter.
+std::vector<BenchBody> bench_bodies();
+
+struct BenchCase {
+  std::string motion;                // "swing" or "putt"
+  const GolfFault* fault = nullptr;  // none: a faultless stroke
+  double amount = 0;
+  BenchBody body;
+  Handedness hand = Handedness::Right;
+  double frames_per_second = 30;
+  BenchEye eye = BenchEye::TrueJoints;
+};
+// "swing-sway_10-tall-right-30fps-face-on": fit for a file's name.
+std::string name_of(const BenchCase& one);
+
+// The stroke of a case. Errors: those of make_authored_motion.
+Result<AuthoredMotion> make_stroke_of(const BenchCase& one);
+
+struct BenchPlan {
+  std::vector<BenchEye> eyes = {BenchEye::TrueJoints};
+  std::vector<double> frame_rates = {30};
+  std::vector<double> parts = {0.75, 1, 1.5};  // of each fault's usual amount, at most its largest
+  std::vector<std::string> bodies = {};        // empty: all bench bodies
+};
+// Every fault in every part on every body, hands in turn; and every faultless stroke with both hands. Errors:
+// InvalidArgument (a body of no such name).
+Result<std::vector<BenchCase>> make_bench_cases(const BenchPlan& plan);
+
+struct BenchAnswer {
+  BenchCase asked;
+  std::string refusal;  // why there is no analysis; empty where there is one
+  double percent = 0;   // score
+  std::vector<Advice> advice;
+  int rank = 0;  // of the advice that names the fault: 1 is first; 0 nowhere
+  // Of the measure that this advice tells, as told and as it truly is.
+  double amount_told = 0, amount_true = 0;
+
+  bool is_amount_right() const;  // within a quarter
+};
+
+// The coach is the bundled stroke on its own body. `student` is what an eye saw of the case.
+Result<BenchAnswer> judge(const BenchCase& one, const StudentInput& student, const Motion& coach);
+
+// One line of the table.
+struct BenchRow {
+  BenchEye eye = BenchEye::TrueJoints;
+  std::string motion, fault;  // fault empty: faultless strokes
+  int cases = 0, refused = 0;
+  int first = 0, top_three = 0;  // of faults
+  int amount_right = 0;          // of those among the first three
+  int false_alarms = 0;          // of faultless strokes: any advice at all
+  double percent_mean = 0, percent_least = 100;
+};
+std::vector<BenchRow> tally(const std::vector<BenchAnswer>& answers);
+
+// `see` is the eye. Errors: those of `see`, and Cancelled; a stroke that cannot be analysed is an answer.
+using BenchEyeFunction = std::function<Result<StudentInput>(const BenchCase&)>;
+Result<std::vector<BenchAnswer>> run_fault_bench(const std::vector<BenchCase>& cases,
+                                                 const BenchEyeFunction& see, const Progress& progress = {});
+
+// The eye of motion capture.
+Result<StudentInput> see_true_joints(const BenchCase& one);
+
+}  // namespace posecoach

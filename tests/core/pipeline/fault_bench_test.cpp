@@ -1,0 +1,94 @@
+// Known faults through true joints, on bodies that are not the coach's: named first, by about their amount;
+// and no fault found where there is none.
+#include "core/pipeline/fault_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace posecoach {
+namespace {
+
+std::vector<BenchAnswer> answers_for(const BenchPlan& plan) {
+  const auto cases = make_bench_cases(plan);
+  EXPECT_TRUE(cases) << (cases ? "" : cases.error().message);
+  const auto answers = run_fault_bench(*cases, see_true_joints);
+  EXPECT_TRUE(answers) << (answers ? "" : answers.error().message);
+  return *answers;
+}
+
+std::string first_advice(const BenchAnswer& answer) {
+  if (!answer.refusal.empty()) return answer.refusal;
+  return answer.advice.empty() ? "no advice" : answer.advice.front().text;
+}
+
+// One part and a handful of bodies stand for the whole table, which `posecoach evaluate coaching` prints.
+TEST(FaultBench, names_95_of_100_faults_first_on_any_body_and_hand) {
+  const std::vector<BenchAnswer> answers =
+      answers_for({.parts = {1}, .bodies = {"average", "short", "woman", "arms-20%", "legs+25%", "2.00m"}});
+  int faults = 0, first = 0, right = 0;
+  for (const BenchAnswer& answer : answers) {
+    if (!answer.asked.fault) continue;
+    ++faults;
+    first += answer.rank == 1 ? 1 : 0;
+    right += answer.is_amount_right() ? 1 : 0;
+    if (answer.rank != 1) {
+      std::printf("%s: %s\n", name_of(answer.asked).c_str(), first_advice(answer).c_str());
+    }
+  }
+  EXPECT_GE(first, 0.95 * faults);
+  EXPECT_GE(right, 0.9 * faults);
+}
+
+TEST(FaultBench, finds_nothing_in_faultless_strokes_of_any_body) {
+  for (const BenchAnswer& answer : answers_for({.parts = {}}))
+    EXPECT_TRUE(answer.refusal.empty() && answer.advice.empty())
+        << name_of(answer.asked) << ": " << first_advice(answer);
+}
+
+TEST(FaultBench, scores_faultless_strokes_of_any_body_within_two_points) {
+  for (const BenchAnswer& answer : answers_for({.parts = {}}))
+    EXPECT_GE(answer.percent, 98) << name_of(answer.asked);
+}
+
+TEST(FaultBench, asks_every_fault_of_every_body_with_both_hands) {
+  const auto cases = make_bench_cases({.parts = {1, 1.5}, .bodies = {"tall", "short"}}).value();
+  std::set<std::string> names, faults;
+  int left = 0;
+  for (const BenchCase& one : cases) {
+    EXPECT_TRUE(names.insert(name_of(one)).second) << name_of(one);
+    if (one.fault) faults.emplace(one.fault->name);
+    left += one.hand == Handedness::Left ? 1 : 0;
+  }
+  EXPECT_EQ(faults.size(), golf_faults().size());
+  EXPECT_GT(left, static_cast<int>(cases.size()) / 3);
+  EXPECT_FALSE(make_bench_cases({.bodies = {"nobody"}}));
+}
+
+TEST(FaultBench, tallies_what_was_answered) {
+  const GolfFault* sway = choose_fault("sway").value().fault;
+  BenchAnswer first{
+      {"swing", sway, 10, {}, Handedness::Right, 30, BenchEye::TrueJoints}, {}, 80, {}, 1, 0.1, 0.1};
+  BenchAnswer third = first, missed = first, refused = first, alarmed = first;
+  third.rank = 3;
+  third.amount_told = 0.2;
+  missed.rank = 0;
+  refused.rank = 0;
+  refused.refusal = "nobody is seen";
+  alarmed.asked.fault = nullptr;
+  alarmed.advice = {{AdviceKind::Spatial, "Something.", 0, 0, 1, {}, {}, {}, 0}};
+  const std::vector<BenchRow> rows = tally({first, third, missed, refused, alarmed});
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].cases, 4);
+  EXPECT_EQ(rows[0].first, 1);
+  EXPECT_EQ(rows[0].top_three, 2);
+  EXPECT_EQ(rows[0].amount_right, 1);
+  EXPECT_EQ(rows[0].refused, 1);
+  EXPECT_EQ(rows[0].percent_mean, 80);
+  EXPECT_EQ(rows[1].false_alarms, 1);
+}
+
+}  // namespace
+}  // namespace posecoach
