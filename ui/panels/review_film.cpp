@@ -60,6 +60,11 @@ FilmMarks marks_of(const ReviewSwing& review) {
   return {review.times_s, review.events};
 }
 
+int shown_picture(const PanelContext& context) {
+  const int count = context.model.opened ? context.model.opened->review->picture_count() : 0;
+  return std::clamp(context.state.playback.frame, 0, std::max(0, count - 1));
+}
+
 void draw_film(const PanelContext& context, const Rect& area, const FilmView& film) {
   Ui& ui = context.ui;
   ui.fill(area, colour_from_hex(0x07090C), radius::kMedium);
@@ -112,7 +117,7 @@ void draw_films(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   const WindowModel& model = context.model;
   if (!model.opened) return;
-  const int picture = context.state.playback.frame;
+  const int picture = shown_picture(context);
   const OpenedSwing& first = *model.opened;
   if (!model.compared) return draw_film(context, area, {.name = "film", .swing = &first, .picture = picture});
   const OpenedSwing& second = *model.compared;
@@ -140,7 +145,7 @@ void draw_bodies(const PanelContext& context, const Rect& area) {
   const bool is_dark = theme.kind == ThemeKind::Dark;
   const Interaction on = ui.region("bodies", area, Focus::Never);
   state.orbit = dragged(state.orbit, on.drag, on.wheel);
-  const int picture = state.playback.frame;
+  const int picture = shown_picture(context);
   const int width = std::max(16, static_cast<int>(std::lround(area.width * ui.scale()))),
             height = std::max(16, static_cast<int>(std::lround(area.height * ui.scale())));
   const std::uint64_t version =

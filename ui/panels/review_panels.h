@@ -24,6 +24,8 @@ void draw_transport(const PanelContext& context, const Rect& area);
 void draw_timeline(const PanelContext& context, const Rect& area);
 
 FilmMarks marks_of(const ReviewSwing& review);
+// The picture that all of them show: one that the film has, whatever the state says.
+int shown_picture(const PanelContext& context);
 // Where the advice is looked at.
 void show_advice(const PanelContext& context, int index);
 

@@ -89,7 +89,7 @@ void draw_moment(const PanelContext& context, Rect area) {
   Ui& ui = context.ui;
   const Theme& theme = context.theme();
   const ReviewSwing& review = *context.model.opened->review;
-  const int picture = context.state.playback.frame;
+  const int picture = shown_picture(context);
   const auto& apart = review.apart_m;
   const bool is_known = picture >= 0 && picture < static_cast<int>(apart.size()) && apart[index(picture)];
   ui.fill({area.x, area.y, area.width, 1}, theme.line);

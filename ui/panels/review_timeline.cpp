@@ -130,7 +130,7 @@ void draw_columns(const PanelContext& context, const ReviewSwing& review, const 
                  coach_x = layout.coach_x(coach_seconds(review, step));
     const Rect place{x - 0.5 * pitch, layout.figures_above.y - kLabels, pitch,
                      layout.figures_below.bottom() - layout.figures_above.y + kLabels};
-    const bool is_now = std::abs(step.student_frame - context.state.playback.frame) <= 1;
+    const bool is_now = std::abs(step.student_frame - shown_picture(context)) <= 1;
     ui.text_in(TextStyle::Caption, {place.x, place.y - 2, place.width, kLabels}, columns[i].label,
                is_now ? theme.text : theme.quiet, Align::Centre);
     ui.line({x, layout.figures_above.bottom() + 1}, {student_x, layout.student_y - 3},
@@ -203,7 +203,7 @@ void draw_row_names(const PanelContext& context, const Layout& layout) {
 void draw_now(const PanelContext& context, const ReviewSwing& review, const Layout& layout) {
   Ui& ui = context.ui;
   const Theme& theme = context.theme();
-  const int picture = context.state.playback.frame;
+  const int picture = shown_picture(context);
   const Vec2 student(layout.student_x(picture_time(review, picture)), layout.student_y);
   const Vec2 coach(layout.coach_x(coach_time_at(review, picture)), layout.coach_y);
   ui.line(student, coach, theme.text, 2.2);

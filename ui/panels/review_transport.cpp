@@ -21,10 +21,11 @@ void draw_scrubber(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   const Theme& theme = context.theme();
   Playback& playback = context.state.playback;
+  playback.frame = shown_picture(context);
   const FilmMarks film = marks_of(*context.model.opened->review);
   const int last = std::max(1, film.count() - 1);
   const Rect bar{area.x + 8, area.centre().y - 3, area.width - 16, 6};
-  const auto at = [&](int frame) { return bar.x + bar.width * frame / last; };
+  const auto at = [&](int frame) { return bar.x + bar.width * std::clamp(frame, 0, last) / last; };
   const Interaction on = ui.region("scrubber", area, Focus::Never);
   if (on.held)
     playback =
@@ -54,6 +55,7 @@ void draw_transport(const PanelContext& context, const Rect& area) {
   const ReviewSwing& review = *context.model.opened->review;
   const FilmMarks film = marks_of(review);
   Playback& playback = context.state.playback;
+  playback.frame = shown_picture(context);
   Rect row = area;
   struct Deed {
     Icon icon;

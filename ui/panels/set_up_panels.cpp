@@ -39,12 +39,12 @@ bool draw_option(Ui& ui, std::string_view id, const Rect& row, std::string_view 
   return on.clicked;
 }
 
-std::string mode_words(const CameraMode& mode) {
+std::string mode_words(const PictureMode& mode) {
   return std::to_string(mode.width) + " × " + std::to_string(mode.height) + ", " + decimal(mode.fps, 0) +
          " pictures/s" + (mode.format.empty() ? "" : ", " + mode.format);
 }
 
-void draw_modes(const PanelContext& context, const CameraChoice& camera, const Rect& area) {
+void draw_modes(const PanelContext& context, const CameraEntry& camera, const Rect& area) {
   if (camera.modes.empty()) return;
   std::vector<Choice> choices = {{"The best for swings", "chosen by the program"}};
   int chosen = 0;
@@ -55,7 +55,7 @@ void draw_modes(const PanelContext& context, const CameraChoice& camera, const R
   const int picked = draw_dropdown(context.ui, "mode", area, choices[static_cast<std::size_t>(chosen)].title,
                                    choices, chosen, Icon::SetUp);
   if (picked < 0) return;
-  std::optional<CameraMode> mode;
+  std::optional<PictureMode> mode;
   if (picked > 0) mode = camera.modes[static_cast<std::size_t>(picked - 1)];
   context.want(intent::ChooseSource{camera.source, mode});
 }
@@ -92,14 +92,14 @@ void draw_camera_choice(const PanelContext& context, const Rect& area) {
   if (draw_button(ui, use,
                   {.id = "use source", .words = "Use", .is_enabled = !context.state.typed_source.empty()}))
     context.want(intent::ChooseSource{context.state.typed_source, {}});
-  const CameraChoice* chosen = nullptr;
-  for (const CameraChoice& camera : model.cameras)
+  const CameraEntry* chosen = nullptr;
+  for (const CameraEntry& camera : model.cameras)
     if (camera.source == model.source) chosen = &camera;
   if (chosen != nullptr && !chosen->modes.empty()) draw_modes(context, *chosen, inner.take_bottom(36, 10));
   const double wanted = static_cast<double>(model.cameras.size()) * (kRow + kGap);
   const Rect content = ui.begin_scroll("cameras", inner, wanted);
   for (std::size_t i = 0; i < model.cameras.size(); ++i) {
-    const CameraChoice& camera = model.cameras[i];
+    const CameraEntry& camera = model.cameras[i];
     const Rect row{content.x, content.y + static_cast<double>(i) * (kRow + kGap), content.width, kRow};
     const bool is_simulated = camera.source.starts_with("simulated");
     if (draw_option(ui, "camera " + std::to_string(i), row, camera.name, camera.detail,

@@ -14,11 +14,11 @@ namespace posecoach {
 
 enum class ExportKind { OverlayFilm, Report, Csv, Bvh, Trc };
 
-struct CameraMode {
+struct PictureMode {
   int width = 0, height = 0;
   double fps = 0;
   std::string format;  // "MJPEG", "YUYV"
-  bool operator==(const CameraMode&) const = default;
+  bool operator==(const PictureMode&) const = default;
 };
 
 namespace intent {
@@ -40,7 +40,7 @@ struct StopRecording {};
 struct TakeSnapshot {};
 struct ChooseSource {
   std::string source;  // as on the command line
-  std::optional<CameraMode> mode;
+  std::optional<PictureMode> mode;
 };
 struct RetrySource {};
 struct RefreshCameras {};

@@ -16,10 +16,10 @@
 
 namespace posecoach {
 
-struct CameraChoice {
+struct CameraEntry {
   std::string source;  // "camera:/dev/v4l/by-id/..."
   std::string name, detail;
-  std::vector<CameraMode> modes;
+  std::vector<PictureMode> modes;
 };
 
 struct CoachChoice {
@@ -88,9 +88,9 @@ struct WindowModel {
   std::vector<SwingCard> swings;
   std::string library_message;  // why the library is not there
 
-  std::vector<CameraChoice> cameras;
+  std::vector<CameraEntry> cameras;
   std::string source;  // as chosen
-  std::optional<CameraMode> mode;
+  std::optional<PictureMode> mode;
   std::vector<CoachChoice> coaches;
   std::string coach;
   std::vector<PersonChoice> people;
