@@ -60,9 +60,9 @@ class CoachPipeline::Implementation {
     personalise();
   }
 
-  void set_person(Person person) {
-    person_ = std::move(person);
-    measured_body_ = person_.body ? std::make_shared<const Skeleton>(*person_.body) : nullptr;
+  void set_person(Golfer golfer) {
+    golfer_ = std::move(golfer);
+    measured_body_ = golfer_.body ? std::make_shared<const Skeleton>(*golfer_.body) : nullptr;
     provisional_body_.reset();
     bodies_from_first_seconds_ = 0;
     apply_size();
@@ -70,9 +70,9 @@ class CoachPipeline::Implementation {
   }
 
   void start_measuring() {
-    measuring_.emplace(BodyMeasuringOptions{options_.count_down_s, options_.measuring_s, person_.height_m});
+    measuring_.emplace(BodyMeasuringOptions{options_.count_down_s, options_.measuring_s, golfer_.height_m});
     // What is measured must not depend on what was measured before.
-    lift_.set_size(std::nullopt, person_.height_m);
+    lift_.set_size(std::nullopt, golfer_.height_m);
   }
   void stop_measuring() {
     measuring_.reset();
@@ -110,7 +110,7 @@ class CoachPipeline::Implementation {
   }
 
   void apply_size() {
-    lift_.set_size(measured_body_ ? std::optional(*measured_body_) : std::nullopt, person_.height_m);
+    lift_.set_size(measured_body_ ? std::optional(*measured_body_) : std::nullopt, golfer_.height_m);
   }
 
   std::optional<LiveStudent> follow_student(const Frame& frame, const std::optional<SeenPerson>& person,
@@ -171,7 +171,7 @@ class CoachPipeline::Implementation {
     return anybody_;
   }
 
-  Handedness hand() const { return person_.hand.value_or(seen_hand_); }
+  Handedness hand() const { return golfer_.hand.value_or(seen_hand_); }
 
   void personalise() {
     personal_ = {};
@@ -254,7 +254,7 @@ class CoachPipeline::Implementation {
   CoachPipelineOptions options_;
   std::uint64_t number_ = 0;
 
-  Person person_;
+  Golfer golfer_;
   Handedness seen_hand_ = Handedness::Right;
   std::shared_ptr<const Skeleton> measured_body_, provisional_body_, anybody_;
   int bodies_from_first_seconds_ = 0;
@@ -288,8 +288,8 @@ Result<CoachSnapshot> CoachPipeline::step(const Frame& frame) {
 void CoachPipeline::set_coach(Motion motion, std::string source) {
   implementation_->set_coach(std::move(motion), std::move(source));
 }
-void CoachPipeline::set_person(Person person) {
-  implementation_->set_person(std::move(person));
+void CoachPipeline::set_person(Golfer golfer) {
+  implementation_->set_person(std::move(golfer));
 }
 void CoachPipeline::start_measuring() {
   implementation_->start_measuring();

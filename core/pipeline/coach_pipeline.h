@@ -26,7 +26,7 @@ struct CoachPipelineOptions {
 };
 
 // What is known of who stands before the camera.
-struct Person {
+struct Golfer {
   std::optional<Skeleton> body = {};  // measured before; a webcam body
   std::optional<Handedness> hand = {};
   std::optional<double> height_m = {};  // stature, where no body was measured
@@ -45,7 +45,7 @@ class CoachPipeline {
 
   // `source` is what the analysis calls him. Without a coach there is no ghost, and swings are not analysed.
   void set_coach(Motion motion, std::string source);
-  void set_person(Person person);
+  void set_person(Golfer golfer);
   // Stand still for a few seconds, best with the arms to the sides. Again: from the start.
   void start_measuring();
   void stop_measuring();

@@ -103,6 +103,13 @@ double cap_height_px(double size_px) {
   return static_cast<double>(scale_of(info, size_px)) * height;
 }
 
+double line_height_px(double size_px) {
+  const stbtt_fontinfo& info = font(FontWeight::Medium);
+  int ascent = 0, descent = 0, gap = 0;
+  stbtt_GetFontVMetrics(&info, &ascent, &descent, &gap);
+  return static_cast<double>(scale_of(info, size_px)) * (ascent - descent);
+}
+
 GlyphPicture rasterise(int glyph, FontWeight weight, double size_px, double shift) {
   const stbtt_fontinfo& info = font(weight);
   const float scale = scale_of(info, size_px);

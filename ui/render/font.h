@@ -34,6 +34,8 @@ std::vector<PlacedGlyph> lay_out(std::string_view utf8, FontWeight weight, doubl
 double text_width_px(std::string_view utf8, FontWeight weight, double size_px);
 // Height of a capital letter: what to centre.
 double cap_height_px(double size_px);
+// From the highest to the lowest stroke of the typeface, which is what some libraries call its size.
+double line_height_px(double size_px);
 
 // `shift` in [0, 1): the part of a pixel by which the glyph stands right of the pixel grid.
 GlyphPicture rasterise(int glyph, FontWeight weight, double size_px, double shift);

@@ -1,5 +1,5 @@
 // OpenGL objects with owners. A context must be current wherever they are made, used or destroyed. Included
-// by the .cpp files of ui/render only.
+// by ui/render only.
 #pragma once
 
 #include <span>

@@ -1,0 +1,17 @@
+// What belongs to every screen: the rail to go from one to the other, messages, running work, the key sheet.
+#pragma once
+
+#include "ui/panels/panel.h"
+
+namespace posecoach {
+
+void draw_rail(const PanelContext& context, const Rect& area);
+// From the area's lower right corner upwards.
+void draw_messages(const PanelContext& context, const Rect& area);
+// What of the area they cover.
+Rect messages_area(const WindowModel& model, const Rect& area);
+void draw_key_sheet(const PanelContext& context, const Rect& area);
+// Where a path is written for those who cannot drop a file.
+void draw_import_dialog(const PanelContext& context, const Rect& area);
+
+}  // namespace posecoach

@@ -1,0 +1,52 @@
+#include "ui/render/picture_texture.h"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <algorithm>
+
+#include "core/base/assert.h"
+
+namespace posecoach {
+
+PictureTexture::PictureTexture(const Image& image) {
+  POSECOACH_ASSERT(!image.empty());
+  texture_ = gl::make_rgba_texture(image.width, image.height);
+  glBindTexture(GL_TEXTURE_2D, texture_.id());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGB, GL_UNSIGNED_BYTE,
+                  image.rgb.data());
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+OffscreenTarget::OffscreenTarget(int width, int height)
+    : width_(width),
+      height_(height),
+      texture_(gl::make_rgba_texture(width, height)),
+      framebuffer_(gl::make_framebuffer()) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.id(), 0);
+  POSECOACH_ASSERT(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+}
+
+void OffscreenTarget::begin() {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, width_, height_);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+Image OffscreenTarget::read_image() const {
+  Image image = Image::black(width_, height_), upright = image;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  for (int y = 0; y < height_; ++y)
+    std::copy_n(image.pixel(0, height_ - 1 - y), 3 * static_cast<std::size_t>(width_), upright.pixel(0, y));
+  return upright;
+}
+
+}  // namespace posecoach

@@ -1,0 +1,33 @@
+// A picture on the graphics card, and a framebuffer to draw a window's contents into where there is no
+// window. A context must be current whenever anything here runs, destructors included.
+#pragma once
+
+#include "core/image/frame.h"
+#include "ui/render/gl/objects.h"
+
+namespace posecoach {
+
+class PictureTexture {
+ public:
+  // Asserts a picture that is not empty.
+  explicit PictureTexture(const Image& image);
+  unsigned name() const { return texture_.id(); }
+
+ private:
+  gl::Handle texture_;
+};
+
+// Rows are stored as a window's are: the lowest first.
+class OffscreenTarget {
+ public:
+  OffscreenTarget(int width, int height);
+  // Everything that is drawn from now on goes here; filled with black.
+  void begin();
+  Image read_image() const;
+
+ private:
+  int width_, height_;
+  gl::Handle texture_, framebuffer_;
+};
+
+}  // namespace posecoach

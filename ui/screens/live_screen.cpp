@@ -1,0 +1,113 @@
+#include <cmath>
+
+#include "ui/panels/live_panels.h"
+#include "ui/panels/review_panels.h"
+#include "ui/screens/key_map.h"
+#include "ui/screens/screens.h"
+#include "ui/widgets/controls.h"
+
+namespace posecoach {
+namespace {
+
+constexpr double kSide = 290, kStateWide = 320, kMargin = 14, kStatus = 28, kBar = 58;
+
+bool is_replaying(const WindowModel& model) {
+  return model.replay && model.replay->review && model.snapshot && model.snapshot->loop == LoopState::Replay;
+}
+
+void use_keys(const PanelContext& context) {
+  Ui& ui = context.ui;
+  const WindowModel& model = context.model;
+  const bool is_on = model.snapshot && model.snapshot->loop != LoopState::Off;
+  if (is_replaying(model)) {
+    if (was_pressed(ui, Command::ReviewLast)) context.want(intent::OpenLastSwing{});
+    if (was_pressed(ui, Command::Back) || was_pressed(ui, Command::PlayPause))
+      context.want(intent::LeaveReplay{});
+  }
+  if (model.snapshot && model.snapshot->measuring && ui.take_key({Key::Escape}))
+    context.want(intent::StopMeasuring{});
+  if (was_pressed(ui, Command::HandsFree)) {
+    if (is_on)
+      context.want(intent::DisarmHandsFree{});
+    else
+      context.want(intent::ArmHandsFree{});
+  }
+  if (was_pressed(ui, Command::Measure)) context.want(intent::MeasureBody{});
+  if (was_pressed(ui, Command::Record)) {
+    if (model.is_recording)
+      context.want(intent::StopRecording{});
+    else
+      context.want(intent::StartRecording{});
+  }
+  if (was_pressed(ui, Command::Snapshot)) context.want(intent::TakeSnapshot{});
+  if (was_pressed(ui, Command::Mirror)) context.state.is_mirrored = !context.state.is_mirrored;
+  if (was_pressed(ui, Command::ChangePace))
+    context.want(intent::SetPace{model.pace == Pace::Follow ? Pace::Play : Pace::Follow});
+  if (was_pressed(ui, Command::ReviewLast) && model.snapshot && model.snapshot->swing)
+    context.want(intent::OpenLastSwing{});
+}
+
+void draw_notes(const PanelContext& context, Rect area) {
+  Ui& ui = context.ui;
+  const Theme& theme = context.theme();
+  const auto note = [&](std::string_view words, Icon icon, const Colour& ink) {
+    const Pill pill{words, ink, colour_from_hex(0x0C1016).with_alpha(0.82F), icon};
+    const double width = std::min(pill_width(ui, pill), area.width);
+    draw_pill(ui, {area.centre().x - 0.5 * width, area.y, width, 28}, pill);
+    area.take_top(28, 6);
+  };
+  if (context.model.is_simulated)
+    note("Nobody real: the simulated student plays. Choose a camera in Set-up.", Icon::Information,
+         theme.text);
+  if (context.model.snapshot && !context.model.snapshot->swing_message.empty())
+    note(context.model.snapshot->swing_message, Icon::Warning, theme.warning);
+}
+
+void draw_replay_film(const PanelContext& context, const Rect& area) {
+  WindowState& state = context.state;
+  const FilmMarks film = marks_of(*context.model.replay->review);
+  state.replay.loop = LoopMode::Whole;
+  state.replay.is_playing = true;
+  state.replay = advanced(state.replay, context.ui.elapsed_s(), film);
+  draw_film(context, area,
+            {.name = "replay",
+             .swing = &*context.model.replay,
+             .picture = state.replay.frame,
+             .is_mirrored = state.is_mirrored});
+}
+
+}  // namespace
+
+void draw_live_screen(const PanelContext& context, const Rect& area) {
+  const Theme film = film_theme(context.theme());
+  Rect rest = area;
+  draw_status_line(context, rest.take_bottom(kStatus));
+  use_keys(context);
+  const bool replays = is_replaying(context.model);
+  if (replays)
+    draw_replay_film(context, rest);
+  else
+    draw_live_picture(context, rest);
+  const ThemeScope scope(context.ui, film);
+  draw_notes(context, {rest.x + kStateWide, rest.y + kMargin, rest.width - kStateWide - kSide - 30, 80});
+  Rect inner = rest.inset(kMargin);
+  if (replays) {
+    const double width = std::min(430.0, 0.42 * inner.width);
+    draw_replay(context, inner.take_right(width));
+    return;
+  }
+  draw_state_frame(context, rest);
+  const Rect bar = inner.take_bottom(kBar, kMargin);
+  Rect right = inner.take_right(std::min(kSide, inner.width));
+  const double checks = std::min(set_up_checks_height(context, right.width), right.height);
+  if (checks > 0) draw_set_up_checks(context, right.take_top(checks, 12));
+  const double address = std::min(address_advice_height(context, right.width), right.height);
+  if (address > 60) draw_address_advice(context, right.take_top(address));
+  draw_state_banner(context, inner.take_left(std::min(kStateWide, inner.width)));
+  draw_source_message(context, rest);
+  draw_measuring(context, rest);
+  const double bar_width = std::min(bar.width, 1010.0);
+  draw_live_controls(context, {bar.centre().x - 0.5 * bar_width, bar.y, bar_width, bar.height});
+}
+
+}  // namespace posecoach

@@ -1,0 +1,89 @@
+#include <algorithm>
+
+#include "ui/panels/review_panels.h"
+#include "ui/screens/key_map.h"
+#include "ui/screens/screens.h"
+#include "ui/widgets/controls.h"
+
+namespace posecoach {
+namespace {
+
+// Another swing starts at its beginning, with the first advice to be seen.
+void adopt_swing(const PanelContext& context) {
+  WindowState& state = context.state;
+  const auto& review = context.model.opened->review;
+  if (state.played == review) return;
+  state.played = review;
+  const double speed = state.playback.speed;
+  state.playback = Playback{.speed = speed};
+  state.chosen_advice = -1;
+  state.orbit = kFrontOrbit;
+  const FilmMarks film = marks_of(*review);
+  state.playback = moved_to(state.playback, film.events.empty() ? 0 : film.events[0], film);
+}
+
+void use_keys(const PanelContext& context) {
+  Ui& ui = context.ui;
+  WindowState& state = context.state;
+  const ReviewSwing& review = *context.model.opened->review;
+  state.playback = played_by_keys(ui, state.playback, marks_of(review));
+  if (was_pressed(ui, Command::FrontView)) state.orbit = kFrontOrbit;
+  if (was_pressed(ui, Command::SideView)) state.orbit = kSideOrbit;
+  if (was_pressed(ui, Command::TopView)) state.orbit = kTopOrbit;
+  const int count = static_cast<int>(review.analysis().advice.size());
+  if (was_pressed(ui, Command::NextAdvice) && count > 0)
+    show_advice(context, (state.chosen_advice + 1) % count);
+  if (was_pressed(ui, Command::PreviousAdvice) && count > 0)
+    show_advice(context, (std::max(0, state.chosen_advice) + count - 1) % count);
+  for (const auto& [command, look] : {std::pair(Command::SideBySide, CompareLook::SideBySide),
+                                      std::pair(Command::Superpose, CompareLook::Superposed)}) {
+    if (!was_pressed(ui, command)) continue;
+    state.compare = look;
+    if (context.model.compared) continue;
+    state.is_picking_second = true;
+    state.screen = ScreenName::Library;
+  }
+  if (was_pressed(ui, Command::ToggleStar))
+    context.want(intent::SetStar{context.model.opened->id, !context.model.opened->is_starred});
+  if (was_pressed(ui, Command::Back)) {
+    if (context.model.compared)
+      context.want(intent::StopComparing{});
+    else
+      state.screen = ScreenName::Library;
+  }
+}
+
+}  // namespace
+
+void draw_review_screen(const PanelContext& context, const Rect& area) {
+  Ui& ui = context.ui;
+  ui.fill(area, context.theme().background);
+  if (!context.model.opened) {
+    draw_empty(ui, area, Icon::Review, "No swing is open",
+               "Make a swing on the Live screen, or choose one in the Library.");
+    const Rect button{area.centre().x - 80, area.centre().y + 90, 160, 38};
+    if (draw_button(ui, button,
+                    {.id = "to library",
+                     .words = "Open Library",
+                     .icon = Icon::Library,
+                     .look = ButtonLook::Primary}))
+      context.state.screen = ScreenName::Library;
+    return;
+  }
+  adopt_swing(context);
+  use_keys(context);
+  WindowState& state = context.state;
+  state.playback = advanced(state.playback, ui.elapsed_s(), marks_of(*context.model.opened->review));
+
+  Rect rest = area.inset(14, 12);
+  draw_review_header(context, rest.take_top(36, 10));
+  const double timeline = std::clamp(0.36 * rest.height, 190.0, 400.0);
+  draw_timeline(context, rest.take_bottom(timeline, 8));
+  draw_transport(context, rest.take_bottom(42, 8));
+  draw_advice(context, rest.take_right(std::clamp(0.25 * rest.width, 290.0, 420.0), 12));
+  const bool shows_two = context.model.compared && state.compare == CompareLook::SideBySide;
+  if (!shows_two) draw_bodies(context, rest.take_right(std::clamp(0.27 * rest.width, 200.0, 560.0), 12));
+  draw_films(context, rest);
+}
+
+}  // namespace posecoach

@@ -1,0 +1,77 @@
+#include "ui/panels/common_panels.h"
+#include "ui/screens/key_map.h"
+#include "ui/screens/screens.h"
+#include "ui/widgets/controls.h"
+
+namespace posecoach {
+namespace {
+
+constexpr double kRail = 84;
+
+void use_common_keys(const PanelContext& context) {
+  Ui& ui = context.ui;
+  WindowState& state = context.state;
+  if (was_pressed(ui, Command::ShowKeys)) state.shows_keys = true;
+  for (const auto& [command, screen] :
+       {std::pair(Command::ShowLive, ScreenName::Live), std::pair(Command::ShowReview, ScreenName::Review),
+        std::pair(Command::ShowLibrary, ScreenName::Library),
+        std::pair(Command::ShowSetUp, ScreenName::SetUp)})
+    if (was_pressed(ui, command)) state.screen = screen;
+  if (was_pressed(ui, Command::FullScreen)) context.want(intent::ToggleFullScreen{});
+  if (was_pressed(ui, Command::Quit)) context.want(intent::Quit{});
+  for (const std::string& path : ui.dropped_files()) context.want(intent::ImportFile{path});
+}
+
+void draw_screen(const PanelContext& context, const Rect& area) {
+  const IdScope scope(context.ui, "screen");
+  switch (context.state.screen) {
+    case ScreenName::Live:
+      return draw_live_screen(context, area);
+    case ScreenName::Review:
+      return draw_review_screen(context, area);
+    case ScreenName::Library:
+      return draw_library_screen(context, area);
+    case ScreenName::SetUp:
+      return draw_set_up_screen(context, area);
+  }
+}
+
+}  // namespace
+
+void draw_window(const PanelContext& context, const Rect& area) {
+  Ui& ui = context.ui;
+  WindowState& state = context.state;
+  ui.fill(area, context.theme().background);
+  // A dialog has the keyboard for itself.
+  const bool closes_keys =
+      state.shows_keys && (was_pressed(ui, Command::Back) || was_pressed(ui, Command::ShowKeys));
+  if (closes_keys) state.shows_keys = false;
+  const bool closes_import = ui.is_open("import") && ui.take_key({Key::Escape});
+  if (closes_import) ui.close_popup();
+  if (!state.shows_keys && !ui.is_open("import")) use_common_keys(context);
+  if (state.shows_keys) ui.take_all_keys();
+
+  Rect rest = area;
+  draw_rail(context, rest.take_left(kRail));
+  draw_screen(context, rest);
+  // Over the screen, below the dialogs; above the live picture's own bar.
+  Rect messages = rest;
+  if (state.screen == ScreenName::Live) messages.take_bottom(100);
+  if (!context.model.toasts.empty() || !context.model.jobs.empty()) {
+    ui.begin_overlay("messages", messages_area(context.model, messages));
+    draw_messages(context, messages);
+    ui.end_overlay();
+  }
+  if (state.shows_keys) {
+    ui.begin_layer("key sheet", area);
+    draw_key_sheet(context, area);
+    ui.end_layer();
+  }
+  if (ui.is_open("import")) {
+    ui.begin_layer("import dialog", area);
+    draw_import_dialog(context, area);
+    ui.end_layer();
+  }
+}
+
+}  // namespace posecoach
