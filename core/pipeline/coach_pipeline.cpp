@@ -204,9 +204,9 @@ class CoachPipeline::Implementation {
                  CoachSnapshot& snapshot) {
     const auto before = loop_.swing();
     SwingComparison comparison{coach_, {}, {}};
-    comparison.lift.height_m = person_.height_m;
+    comparison.lift.height_m = golfer_.height_m;
     if (measured_body_) comparison.lift.body = *measured_body_;
-    comparison.options.hand = person_.hand;
+    comparison.options.hand = golfer_.hand;
     comparison.options.retarget = options_.retarget;
     std::optional<JointMoment> moment;
     if (student) moment = joint_moment(student->positions, student->confidence);
@@ -223,7 +223,7 @@ class CoachPipeline::Implementation {
     const Handedness seen = analysis.student.hand.value_or(seen_hand_);
     if (seen == seen_hand_) return;
     seen_hand_ = seen;
-    if (!person_.hand) personalise();
+    if (!golfer_.hand) personalise();
   }
 
   Result<void> count_people(const Frame& frame, bool is_somebody) {
