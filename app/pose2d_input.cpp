@@ -4,7 +4,9 @@
 #include <filesystem>
 
 #include "app/load_motion.h"
+#include "capture/picture_folder.h"
 #include "core/motion/motion_file.h"
+#include "core/motion/openpose_reader.h"
 #include "core/transfer/pose2d_sources.h"
 #include "core/transfer/pose3d.h"
 
@@ -42,6 +44,23 @@ Result<std::vector<TimedPose2d>> from_clip(const std::string& file, std::string_
   return result;
 }
 
+Result<std::vector<TimedPose2d>> from_openpose(const std::string& folder) {
+  const Result<ImageTrack> track = read_openpose_folder(folder);
+  if (!track) return tl::unexpected(track.error());
+  std::vector<TimedPose2d> poses;
+  for (const ImageObservation& seen : track->frames)
+    if (seen.person)
+      poses.push_back({seen.frame_index, double(seen.frame_index), pose2d_from_landmarks(*seen.person)});
+  if (poses.empty()) return fail(ErrorCode::NoPerson, "nobody is seen in " + folder);
+  return poses;
+}
+
+// OpenPose's joints may lie beside the pictures that they were seen in; the pictures are worth more.
+bool is_openpose(const std::string& input) {
+  const Result<MotionFormat> format = motion_format(input);
+  return format && *format == MotionFormat::OpenPoseFolder && !open_picture_folder(input);
+}
+
 // Everything else shows its people in pictures.
 bool is_motion(const std::string& input) {
   if (input.starts_with("bundled:")) return true;
@@ -64,6 +83,7 @@ Result<std::vector<TimedPose2d>> read_poses2d(const std::string& input, double t
     if (!loaded) return tl::unexpected(loaded.error());
     return from_motion(loaded->motion, turn_degrees);
   }
+  if (is_openpose(input)) return from_openpose(input);
   const Result<PoseTrack> track = load_pose_track(input, load);
   if (!track) return tl::unexpected(track.error());
   return from_track(*track, input);

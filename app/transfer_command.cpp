@@ -1,7 +1,9 @@
 #include "app/transfer_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -31,6 +33,28 @@ std::vector<Pose2d> pictures_of(const std::vector<TimedPose2d>& poses) {
   std::vector<Pose2d> pictures;
   for (std::size_t i = 0; i < count; ++i) pictures.push_back(poses[i * poses.size() / count].pose);
   return pictures;
+}
+
+// Frames that show as different poses as possible, in the order of time.
+std::vector<std::size_t> different_frames(const std::vector<TimedPose2d>& poses, std::size_t count) {
+  const auto difference = [&](std::size_t a, std::size_t b) {
+    const Pose2d from = centred(poses[a].pose), to = centred(poses[b].pose);
+    double sum = 0;
+    for (std::size_t i = 0; i < kJoint2dCount; ++i)
+      if (from.seen[i] && to.seen[i]) sum += glm::length(from.positions[i] - to.positions[i]);
+    return sum;
+  };
+  std::vector<std::size_t> chosen = {0};
+  std::vector<double> nearest(poses.size(), std::numeric_limits<double>::max());
+  while (chosen.size() < std::min(count, poses.size())) {
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      nearest[i] = std::min(nearest[i], difference(i, chosen.back()));
+    const auto farthest = std::max_element(nearest.begin(), nearest.end());
+    if (*farthest <= 0) break;
+    chosen.push_back(static_cast<std::size_t>(farthest - nearest.begin()));
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
 }
 
 nlohmann::json json_of(const TimedPose2d& input, const TransferredPose& result) {
@@ -75,13 +99,13 @@ Result<void> run(const Arguments& arguments, const PoseTrackerOptions& options) 
   const Vec2 place = bounding_box(identity.front()).centre();
   std::vector<SheetRow> sheet;
   std::map<std::string, std::size_t> doubts;
-  const std::size_t sheet_step = std::max<std::size_t>(1, poses->size() / kSheetRows);
+  const std::vector<std::size_t> drawn = different_frames(*poses, kSheetRows);
   for (std::size_t i = 0; i < poses->size(); ++i) {
     TransferredPose result = (*transferer)->transfer((*poses)[i].pose);
     result.pose = translated(result.pose, place - bounding_box(result.pose).centre());
     for (const std::string& doubt : result.doubts) ++doubts[doubt];
     frames.push_back(json_of((*poses)[i], result));
-    if (i % sheet_step == 0 && sheet.size() < kSheetRows)
+    if (std::binary_search(drawn.begin(), drawn.end(), i))
       sheet.push_back(
           {(*poses)[i].pose, identity[i * identity.size() / poses->size()], std::move(result), std::nullopt});
   }
@@ -100,8 +124,8 @@ Result<void> run(const Arguments& arguments, const PoseTrackerOptions& options) 
       {"doubts", std::move(said)},
       {"frames", std::move(frames)}};
   if (!arguments.picture.empty())
-    if (Result<void> drawn = write_file_atomically(arguments.picture, contact_sheet_png(sheet)); !drawn)
-      return drawn;
+    if (Result<void> written = write_file_atomically(arguments.picture, contact_sheet_png(sheet)); !written)
+      return written;
   return write_file_atomically(arguments.output, answer.dump(1) + "\n");
 }
 

@@ -28,10 +28,11 @@ class ClosedFormTransferer : public Transferer {
 
   TransferredPose transfer(const Pose2d& pose) override {
     std::array<Vec2, kBone2dCount> bones;
+    const Pose2d whole = bridged(pose);
     const double pose_height = bounding_box(pose).size().y;
     const double same_size = identity_.stature / source_.stature;
     for (std::size_t b = 0; b < kBone2dCount; ++b) {
-      const std::optional<Vec2> seen = bone_vector(pose, b);
+      const std::optional<Vec2> seen = bone_vector(whole, b);
       if (!seen) {
         bones[b] = guessed_bone(b) * identity_.stature;
         continue;

@@ -79,6 +79,23 @@ Pose2d with_midpoints(Pose2d pose) {
   return pose;
 }
 
+Pose2d bridged(Pose2d pose) {
+  for (std::size_t upper = 0; upper < kBone2dCount; ++upper)
+    for (std::size_t lower = upper + 1; lower < kBone2dCount; ++lower) {
+      const Joint2d middle = kBones2d[upper].child;
+      const bool is_limb = middle == Joint2d::LeftElbow || middle == Joint2d::RightElbow ||
+                           middle == Joint2d::LeftKnee || middle == Joint2d::RightKnee;
+      if (!is_limb || kBones2d[lower].parent != middle || pose.is_seen(middle)) continue;
+      const Joint2d root = kBones2d[upper].parent, end = kBones2d[lower].child;
+      if (!pose.is_seen(root) || !pose.is_seen(end)) continue;
+      const double part =
+          kAverageBoneLengths[upper] / (kAverageBoneLengths[upper] + kAverageBoneLengths[lower]);
+      pose[middle] = glm::mix(pose[root], pose[end], part);
+      pose.seen[index(middle)] = true;
+    }
+  return pose;
+}
+
 std::optional<Vec2> bone_vector(const Pose2d& pose, std::size_t bone) {
   const Bone2d& b = kBones2d[bone];
   if (!pose.is_seen(b.parent) || !pose.is_seen(b.child)) return std::nullopt;

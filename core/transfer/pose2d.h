@@ -96,6 +96,10 @@ Pose2d mirrored(const Pose2d& pose);
 // Neck and mid-hip set to the mid-points where both sides are seen, and unseen where not.
 Pose2d with_midpoints(Pose2d pose);
 
+// An elbow or knee that was not seen between two seen ends is put between them, on a straight limb, and
+// counts as seen: so the hand or foot keeps its place.
+Pose2d bridged(Pose2d pose);
+
 // From parent to child; nothing where an end was not seen.
 std::optional<Vec2> bone_vector(const Pose2d& pose, std::size_t bone);
 // Joints from bones, the mid-hip at `root`.

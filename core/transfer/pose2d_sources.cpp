@@ -26,23 +26,6 @@ constexpr std::array<std::pair<Joint2d, Landmark>, 13> kFromLandmarks = {{
     {RightAnkle, Landmark::RightAnkle},
 }};
 
-// BODY_25's order: nose, neck, right arm, left arm, mid-hip, right leg, left leg, then eyes, ears and feet.
-constexpr std::array<std::pair<Joint2d, std::size_t>, 13> kFromBody25 = {{
-    {Nose, 0},
-    {RightShoulder, 2},
-    {RightElbow, 3},
-    {RightWrist, 4},
-    {LeftShoulder, 5},
-    {LeftElbow, 6},
-    {LeftWrist, 7},
-    {RightHip, 9},
-    {RightKnee, 10},
-    {RightAnkle, 11},
-    {LeftHip, 12},
-    {LeftKnee, 13},
-    {LeftAnkle, 14},
-}};
-
 std::optional<Joint2d> joint_from_clip_name(std::string_view name) {
   if (name == "face") return Nose;
   for (std::size_t i = 0; i < kJoint2dCount; ++i)
@@ -57,15 +40,6 @@ Pose2d pose2d_from_landmarks(const ImageKeypoints& landmarks) {
   for (const auto& [joint, landmark] : kFromLandmarks) {
     pose[joint] = landmarks[landmark].position_px;
     pose.seen[index(joint)] = landmarks[landmark].visibility >= kLeastVisibility;
-  }
-  return with_midpoints(pose);
-}
-
-Pose2d pose2d_from_body25(std::span<const double, 75> keypoints) {
-  Pose2d pose;
-  for (const auto& [joint, place] : kFromBody25) {
-    pose[joint] = {keypoints[3 * place], keypoints[3 * place + 1]};
-    pose.seen[index(joint)] = keypoints[3 * place + 2] > 0;
   }
   return with_midpoints(pose);
 }

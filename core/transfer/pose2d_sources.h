@@ -15,9 +15,6 @@ namespace posecoach {
 inline constexpr double kLeastVisibility = 0.5;
 Pose2d pose2d_from_landmarks(const ImageKeypoints& landmarks);
 
-// OpenPose's BODY_25: 25 x (x, y, confidence), +Y down; confidence 0 is not seen.
-Pose2d pose2d_from_body25(std::span<const double, 75> keypoints);
-
 // Clips of annotated people: {"joints": [15 names], "clips": [{"label", "frames": [[[x, y], ...], ...]}]}
 // with neck, belly, face and the limbs of both sides. `clip` counts from 0. The face's centre is taken for
 // the nose, the belly is not used. Errors: those of read_file; Malformed naming the file; InvalidArgument

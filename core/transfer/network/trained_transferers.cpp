@@ -30,9 +30,10 @@ Result<People> measure_people(std::span<const Pose2d> source, std::span<const Po
 // The paper's network knows no missing joints: they hang from their parents.
 Pose2d completed(const Pose2d& pose, double stature) {
   if (pose.is_complete()) return pose;
+  const Pose2d whole = bridged(pose);
   std::array<Vec2, kBone2dCount> bones;
   for (std::size_t b = 0; b < kBone2dCount; ++b)
-    bones[b] = bone_vector(pose, b).value_or(guessed_bone(b) * stature);
+    bones[b] = bone_vector(whole, b).value_or(guessed_bone(b) * stature);
   return pose_from_bones(bones, pose.is_seen(Joint2d::MidHip) ? pose[Joint2d::MidHip] : Vec2{});
 }
 
@@ -103,8 +104,9 @@ class NetworkTransferer : public Transferer {
   TransferredPose transfer(const Pose2d& pose) override {
     const torch::InferenceMode inference;
     torch::Tensor pictures = torch::empty({2, kPictureNumbers});
-    write_picture(pose, people_.source.stature, pictures.data_ptr<float>());
-    write_picture(mirrored(pose), people_.source.stature, pictures.data_ptr<float>() + kPictureNumbers);
+    const Pose2d whole = bridged(pose);
+    write_picture(whole, people_.source.stature, pictures.data_ptr<float>());
+    write_picture(mirrored(whole), people_.source.stature, pictures.data_ptr<float>() + kPictureNumbers);
     const TransferNetwork::Result answer = network_->forward(pictures, source_, identity_);
     const torch::Tensor joints = joints_from_bones(answer.bones);
     TransferredPose result;

@@ -53,6 +53,23 @@ TEST(Pose2d, a_middle_without_one_of_its_sides_is_not_seen) {
   EXPECT_FALSE(bone_vector(pose, 0).has_value());
 }
 
+TEST(Pose2d, a_hidden_elbow_between_seen_ends_is_bridged_and_nothing_else) {
+  Pose2d pose = any_pose();
+  pose.seen[index(Joint2d::LeftElbow)] = pose.seen[index(Joint2d::RightKnee)] =
+      pose.seen[index(Joint2d::RightAnkle)] = false;
+  const Pose2d whole = bridged(pose);
+  EXPECT_TRUE(whole.is_seen(Joint2d::LeftElbow));
+  const Vec2 limb = pose[Joint2d::LeftWrist] - pose[Joint2d::LeftShoulder],
+             upper = whole[Joint2d::LeftElbow] - pose[Joint2d::LeftShoulder];
+  EXPECT_NEAR(limb.x * upper.y - limb.y * upper.x, 0, 1e-12);
+  EXPECT_NEAR(glm::length(upper) / glm::length(limb), 0.172 / 0.329, 1e-9);
+  EXPECT_FALSE(whole.is_seen(Joint2d::RightKnee));
+  for (std::size_t i = 0; i < kJoint2dCount; ++i)
+    if (i != index(Joint2d::LeftElbow)) {
+      EXPECT_EQ(whole.positions[i], pose.positions[i]);
+    }
+}
+
 TEST(Pose2d, the_box_leaves_out_what_was_not_seen) {
   Pose2d pose = any_pose();
   const Box2d before = bounding_box(pose);
@@ -72,20 +89,6 @@ TEST(Pose2dSources, landmarks_below_one_half_are_not_seen) {
   EXPECT_EQ(pose[Joint2d::Neck], Vec2(20, 30));
   EXPECT_FALSE(pose.is_seen(Joint2d::LeftWrist));
   EXPECT_TRUE(pose.is_seen(Joint2d::RightWrist));
-}
-
-TEST(Pose2dSources, body25_limbs_arrive_on_their_own_sides) {
-  std::array<double, 75> keypoints{};
-  for (std::size_t i = 0; i < 25; ++i) {
-    keypoints[3 * i] = double(i);
-    keypoints[3 * i + 2] = i == 14 ? 0 : 1;
-  }
-  const Pose2d pose = pose2d_from_body25(keypoints);
-  EXPECT_EQ(pose[Joint2d::RightWrist].x, 4);
-  EXPECT_EQ(pose[Joint2d::LeftWrist].x, 7);
-  EXPECT_EQ(pose[Joint2d::RightKnee].x, 10);
-  EXPECT_EQ(pose[Joint2d::Neck].x, 3.5);
-  EXPECT_FALSE(pose.is_seen(Joint2d::LeftAnkle));
 }
 
 class ClipFile : public testing::Test {
