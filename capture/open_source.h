@@ -8,8 +8,8 @@
 
 namespace posecoach {
 
-// A film, a folder of pictures, or the simulated student (simulated_source.h). Errors: those of the source;
-// Unsupported for cameras.
+// A camera (v4l2/camera_name.h), a film, a folder of pictures, or the simulated student (simulated_source.h).
+// Errors: those of the source. Who opens a camera again later asks stable_camera_name() for its name first.
 Result<std::unique_ptr<FrameSource>> open_source(const std::string& name);
 
 }  // namespace posecoach

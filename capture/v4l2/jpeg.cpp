@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "core/base/assert.h"
 
@@ -31,8 +32,11 @@ JpegDecoder::JpegDecoder() : handle_(tjInitDecompress()) {
 
 Result<Image> JpegDecoder::decode(std::span<const std::uint8_t> jpeg) {
   const auto damaged = [&] {
-    return fail(ErrorCode::Malformed,
-                std::string("a damaged JPEG picture: ") + tjGetErrorStr2(handle_.get()));
+    // What is left of a damaged picture inside the library would spoil the next.
+    const std::unique_ptr<void, Close> spoilt =
+        std::exchange(handle_, std::unique_ptr<void, Close>(tjInitDecompress()));
+    POSECOACH_ASSERT(handle_ != nullptr);
+    return fail(ErrorCode::Malformed, std::string("a damaged JPEG picture: ") + tjGetErrorStr2(spoilt.get()));
   };
   int width = 0, height = 0, subsampling = 0, colours = 0;
   if (tjDecompressHeader3(handle_.get(), jpeg.data(), static_cast<unsigned long>(jpeg.size()), &width,
