@@ -4,6 +4,7 @@
 #include "app/analyze_command.h"
 #include "app/bench_command.h"
 #include "app/body_command.h"
+#include "app/cameras_command.h"
 #include "app/commands.h"
 #include "app/evaluate_coaching_command.h"
 #include "app/evaluate_pose_command.h"
@@ -11,6 +12,7 @@
 #include "app/evaluate_transfer_command.h"
 #include "app/library_command.h"
 #include "app/pose_command.h"
+#include "app/record_command.h"
 #include "app/retarget_command.h"
 #include "app/simulate_command.h"
 #include "app/train_retarget_command.h"
@@ -47,6 +49,8 @@ int run(int argc, char** argv) {
   Action action;
   cli.require_subcommand(0, 1);
   cli.set_version_flag("--version", "posecoach " POSECOACH_VERSION);
+  add_cameras_command(cli, action);
+  add_record_command(cli, action);
   add_analyze_command(cli, action);
   add_pose_command(cli, action);
   add_body_command(cli, action);

@@ -30,7 +30,9 @@ Error write_error(const fs::path& path, int reason) {
   const ErrorCode code = reason == ENOENT   ? ErrorCode::NotFound
                          : reason == EEXIST ? ErrorCode::InvalidArgument
                                             : ErrorCode::Unreadable;
-  const std::string words = is_full ? "the disk is full" : std::strerror(reason);
+  const std::string words = is_full            ? "the disk is full"
+                            : reason == EEXIST ? "it is there already; choose another name or folder"
+                                               : std::strerror(reason);
   return {code, "cannot write " + path.string() + ": " + words};
 }
 
