@@ -2,6 +2,7 @@
 // too slow runs beside, and the film must hold every number.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <thread>
 
 #include "capture/open_source.h"
@@ -29,7 +30,7 @@ TEST(RecordingProof, every_picture_is_in_the_film_while_the_pose_stage_is_ten_ti
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "film.mkv";
   auto recorder = Recorder::start(path, {.nominal_fps = 30}).value();
-  std::size_t frames = 0;
+  std::atomic<std::size_t> frames = 0;
   std::uint64_t skipped = 0;
   {
     PipelineRunner runner(std::make_unique<SlowEstimator>(), open_source);
@@ -38,13 +39,11 @@ TEST(RecordingProof, every_picture_is_in_the_film_while_the_pose_stage_is_ten_ti
       recorder->offer(frame);
     });
     runner.set_source({"simulated:putt?size=320x240&fps=30"});
-    while (runner.snapshot()->source_state != SourceState::Ended)
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    while (frames < 100) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     skipped = runner.snapshot()->counters.skipped_by_pose;
   }
   const auto status = recorder->finish();
   ASSERT_TRUE(status) << status.error().message;
-  EXPECT_GT(frames, 60U);
   EXPECT_GT(skipped, frames / 2) << "the pose stage was not slow: nothing is proved";
   EXPECT_EQ(status->dropped, 0U);
   EXPECT_EQ(status->written, frames);
