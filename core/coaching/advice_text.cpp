@@ -87,6 +87,9 @@ std::string body_part(const PartDifference& d, std::string_view event, Viewpoint
     case Feature::TrailArmBend:
       return bend("your trail arm", d.amount);
     case Feature::HandsPlace:
+      if (event == "mid_follow_through")
+        return fmt::format("your hands are {} away from where the coach's are, your arms fold",
+                           centimetres(d.amount));
       return place("your hands", "are", d.offset, view);
     case Feature::HandsToBall:
       return fmt::format("your hands are {} too {} the ball{}", centimetres(d.amount),

@@ -6,6 +6,7 @@
 
 #include "core/coaching/advice_text.h"
 #include "core/coaching/alignment.h"
+#include "core/coaching/film_habits.h"
 #include "core/coaching/metrics.h"
 #include "core/coaching/pose_alignment.h"
 #include "core/coaching/score.h"
@@ -104,9 +105,10 @@ std::vector<Advice> most_important(const Analysis& analysis, const TimingResult&
   return all;
 }
 
-void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrack& student) {
-  analysis.score = score_of(alignment);
-  analysis.score.groups = group_scores_of(alignment);
+void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrack& student,
+                 double usual_error) {
+  analysis.score = score_of(alignment, usual_error);
+  analysis.score.groups = group_scores_of(alignment, usual_error);
   analysis.path = alignment.path;
   analysis.path_error_m = alignment.path_error_m;
   analysis.joint_errors = joint_errors_of(alignment);
@@ -127,7 +129,8 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
   if (timing.in_proportion) analysis.notes.push_back(text::other_pace(timing.pace, is_one_camera(view)));
   analysis.spatial = find_spatial_advice(swings, kMostAdvice);
   analysis.poses = match_poses(swings, alignment);
-  analysis.score.phases = phase_scores_of(alignment, *student.events);
+  analysis.score.phases =
+      phase_scores_of(alignment, *student.events, usual_film_error(view, student.events->kind));
   if (const std::string words = options.strictness.words(); !words.empty()) analysis.notes.push_back(words);
   analysis.metrics = measure_swing(swings);
   analysis.advice = most_important(analysis, timing, student, coach);
@@ -138,7 +141,7 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
 
 Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motion,
                          const CompareOptions& options) {
-  const Result<Side> student = make_side(student_motion, options.hand, options.sight);
+  Result<Side> student = make_side(student_motion, options.hand, options.sight);
   if (!student) return fail(student.error().code, options.student_name + ": " + student.error().message);
   const Result<Side> coach = make_side(coach_motion, std::nullopt, {});
   if (!coach) return fail(coach.error().code, options.coach_name + ": " + coach.error().message);
@@ -155,6 +158,9 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
       student->events
           ? align(student->track, coach->track, stroke_window(*student->events), coach_window, student->sight)
           : align_anywhere(student->track, coach->track, coach_window, student->sight);
+  if (student->events)
+    student->events =
+        events_put_right(*student->events, *coach->events, alignment, student->track, options.view);
   Analysis analysis;
   analysis.stroke = to_string(coach->events->kind);
   analysis.coach.frames = coach_motion.frame_count();
@@ -168,7 +174,7 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   analysis.coach_events = coach->events->events;
   analysis.coach_takeaway_s = coach->events->takeaway_s;
   analysis.coach_yaw = student->hand == Handedness::Left ? -alignment.coach_yaw : alignment.coach_yaw;
-  add_aligned(analysis, alignment, student->track);
+  add_aligned(analysis, alignment, student->track, usual_film_error(options.view, coach->events->kind));
   if (student->events) {
     add_strokes(analysis, *student, *coach, alignment, options);
   } else if (analysis.score.percent < kLeastPercentWithoutEvents) {

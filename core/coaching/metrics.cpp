@@ -19,12 +19,17 @@ double downswing_s(const Stroke& s) {
   return s.events.time_of("impact") - s.events.time_of("top");
 }
 
-void add_times(MetricSheet& sheet, double takeaway_off_s, double off_s) {
+// Off by how much each of the three moments may be.
+struct TimesOff {
+  double takeaway_s = 0, top_s = 0, impact_s = 0;
+};
+
+void add_times(MetricSheet& sheet, const TimesOff& off) {
   const Stroke& s = sheet.student();
   const bool is_putt = s.events.kind == StrokeKind::Putt;
-  const double back = std::hypot(takeaway_off_s, off_s) / backswing_s(s);
-  const double down = std::sqrt(2.0) * off_s / downswing_s(s);
-  const double whole = std::hypot(takeaway_off_s, off_s) / (backswing_s(s) + downswing_s(s));
+  const double back = std::hypot(off.takeaway_s, off.top_s) / backswing_s(s);
+  const double down = std::hypot(off.top_s, off.impact_s) / downswing_s(s);
+  const double whole = std::hypot(off.takeaway_s, off.impact_s) / (backswing_s(s) + downswing_s(s));
   sheet.add_time(is_putt ? "putt_tempo_ratio" : "tempo_ratio", std::hypot(back, down),
                  [](const Stroke& b) { return backswing_s(b) / downswing_s(b); });
   sheet.add_time(is_putt ? "putt_backswing_s" : "backswing_s", back, backswing_s);
@@ -64,8 +69,10 @@ void add_posture(MetricSheet& sheet) {
 
 std::vector<Metric> measure_swing(const ComparedSwings& swings) {
   MetricSheet sheet(swings);
-  add_times(sheet, takeaway_uncertainty_s(swings.student, swings.view),
-            event_uncertainty_s(swings.student, swings.view));
+  const auto off_s = [&](std::string_view event) {
+    return event_uncertainty_s(swings.student, swings.view, swings.student_events.kind, event);
+  };
+  add_times(sheet, {off_s("takeaway"), off_s("top"), off_s("impact")});
   if (swings.student_events.kind == StrokeKind::FullSwing)
     add_swing_metrics(sheet);
   else

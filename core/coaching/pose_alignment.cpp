@@ -30,9 +30,10 @@ double apart_at(const Alignment& alignment, double coach_s) {
 std::vector<PoseMatch> match_poses(const ComparedSwings& swings, const Alignment& alignment) {
   std::vector<PoseMatch> matches;
   const double student_start = swings.student_events.takeaway_s, coach_start = swings.coach_events.takeaway_s;
-  const double clear =
-      std::max(kClear_s, kClearSigmas * std::hypot(takeaway_uncertainty_s(swings.student, swings.view),
-                                                   event_uncertainty_s(swings.student, swings.view)));
+  const auto off_s = [&](std::string_view event) {
+    return event_uncertainty_s(swings.student, swings.view, swings.student_events.kind, event);
+  };
+  const double clear = std::max(kClear_s, kClearSigmas * std::hypot(off_s("takeaway"), off_s("top")));
   for (const SwingEvent& event : swings.coach_events.events) {
     PoseMatch match;
     match.event = event.name;

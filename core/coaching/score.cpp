@@ -13,12 +13,30 @@ using enum HumanoidJoint;
 constexpr std::size_t kWorstFrames = 5;
 // A joint that the camera does not see at all may be this far from where it is said to be, metres.
 constexpr double kHiddenJointError_m = 0.08;
+// How much the usual error of films differs from film to film, as a part of itself.
+constexpr double kUsualErrorSpread = 0.12;
 
 }  // namespace
 
-double percent_from_error(double mean_joint_error_m, double leg_length_m) {
-  const double relative = mean_joint_error_m / (std::max(leg_length_m, 0.1) * kHalfScore);
-  return 100 / (1 + std::pow(relative, 1.5));
+double percent_from_error(double mean_joint_error_m, double leg_length_m, double usual_error) {
+  const double error = mean_joint_error_m / std::max(leg_length_m, 0.1);
+  const double left = std::sqrt(std::max(0.0, error * error - usual_error * usual_error));
+  return 100 / (1 + std::pow(left / kHalfScore, 1.5));
+}
+
+double usual_film_error(Viewpoint view, StrokeKind kind) {
+  const bool is_putt = kind == StrokeKind::Putt;
+  switch (view) {
+    case Viewpoint::AllSides:
+      return 0;
+    case Viewpoint::FaceOn:
+      return is_putt ? 0.050 : 0.058;
+    case Viewpoint::DownTheLine:
+      return is_putt ? 0.028 : 0.055;
+    case Viewpoint::Between:
+      break;
+  }
+  return is_putt ? 0.028 : 0.055;
 }
 
 double leg_length(const JointTrack& track) {
@@ -36,7 +54,7 @@ double leg_length(const JointTrack& track) {
   return *middle;
 }
 
-Score score_of(const Alignment& alignment) {
+Score score_of(const Alignment& alignment, double usual_error) {
   Score score;
   const double pairs = static_cast<double>(alignment.path_error_m.size());
   const double sum = std::accumulate(alignment.path_error_m.begin(), alignment.path_error_m.end(), 0.0);
@@ -44,14 +62,16 @@ Score score_of(const Alignment& alignment) {
   score.mean_joint_error_m = sum / pairs;
   score.raw = sum * score.joints_compared;
   const double leg = leg_length(alignment.student);
-  score.percent = percent_from_error(score.mean_joint_error_m, leg);
+  score.percent = percent_from_error(score.mean_joint_error_m, leg, usual_error);
   // Doubt widens the score; it never moves it.
   double doubt = 0;
   for (const auto& [i, j] : alignment.steps)
     for (const HumanoidJoint joint : alignment.joints) doubt += 1 - alignment.student.confidence(i, joint);
   doubt *= kHiddenJointError_m / static_cast<double>(alignment.steps.size() * alignment.joints.size());
-  score.plus_minus = 0.5 * (percent_from_error(std::max(0.0, score.mean_joint_error_m - doubt), leg) -
-                            percent_from_error(score.mean_joint_error_m + doubt, leg));
+  const auto percent = [&](double error_m, double usual) { return percent_from_error(error_m, leg, usual); };
+  const double low = std::max(0.0, score.mean_joint_error_m - doubt), high = score.mean_joint_error_m + doubt;
+  score.plus_minus = 0.5 * (percent(low, usual_error * (1 + kUsualErrorSpread)) -
+                            percent(high, usual_error * (1 - kUsualErrorSpread)));
   return score;
 }
 
@@ -74,14 +94,14 @@ const std::vector<BodyPart>& body_parts() {
   return parts;
 }
 
-PartScore part_score(std::string name, double sum, double count, double leg_length_m) {
+PartScore part_score(std::string name, double sum, double count, double leg_length_m, double usual_error) {
   const double mean = count > 0 ? sum / count : 0;
-  return {std::move(name), mean, percent_from_error(mean, leg_length_m)};
+  return {std::move(name), mean, percent_from_error(mean, leg_length_m, usual_error)};
 }
 
 }  // namespace
 
-std::vector<PartScore> group_scores_of(const Alignment& alignment) {
+std::vector<PartScore> group_scores_of(const Alignment& alignment, double usual_error) {
   const double leg = leg_length(alignment.student);
   const std::vector<JointError> errors = joint_errors_of(alignment);
   std::vector<PartScore> scores;
@@ -93,12 +113,13 @@ std::vector<PartScore> group_scores_of(const Alignment& alignment) {
           sum += error.mean_m;
           ++count;
         }
-    if (count > 0) scores.push_back(part_score(part.name, sum, count, leg));
+    if (count > 0) scores.push_back(part_score(part.name, sum, count, leg, usual_error));
   }
   return scores;
 }
 
-std::vector<PartScore> phase_scores_of(const Alignment& alignment, const SwingEvents& student) {
+std::vector<PartScore> phase_scores_of(const Alignment& alignment, const SwingEvents& student,
+                                       double usual_error) {
   const double leg = leg_length(alignment.student);
   const double top = student.time_of("top"), impact = student.time_of("impact");
   std::array<double, 3> sums{}, counts{};
@@ -108,8 +129,10 @@ std::vector<PartScore> phase_scores_of(const Alignment& alignment, const SwingEv
     sums[phase] += alignment.step_error_m[k];
     ++counts[phase];
   }
-  return {part_score("backswing", sums[0], counts[0], leg), part_score("downswing", sums[1], counts[1], leg),
-          part_score("follow_through", sums[2], counts[2], leg)};
+  const auto score = [&](const char* name, std::size_t phase) {
+    return part_score(name, sums[phase], counts[phase], leg, usual_error);
+  };
+  return {score("backswing", 0), score("downswing", 1), score("follow_through", 2)};
 }
 
 std::vector<JointError> joint_errors_of(const Alignment& alignment) {

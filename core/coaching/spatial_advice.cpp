@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/coaching/advice_text.h"
+#include "core/coaching/film_habits.h"
 #include "core/coaching/known_fault.h"
 #include "core/coaching/part_differences.h"
 #include "core/coaching/score.h"
@@ -59,34 +60,34 @@ struct FeatureRule {
   Group group;
   const char* joint;  // of a right-hander
   Direction direction;
-  // Metres or degrees from which on a difference is clear. Motion capture: two good swings of one golfer stay
-  // below it. Films: so do faultless simulated golfers seen by the pose stage; 0 where that view cannot tell.
-  double clear, clear_face_on, clear_down_the_line;
+  // Metres or degrees from which on a difference is clear to motion capture: two good swings of one golfer
+  // stay below it. For films see core/coaching/film_habits.h.
+  double clear;
 };
 
 constexpr std::array<FeatureRule, kFeatureCount> kRules = {{
-    {Feature::HipsToTarget, Group::Hips, "pelvis", Direction::Target, 0.04, 0.05, 0},
-    {Feature::HipsUp, Group::Hips, "pelvis", Direction::Up, 0.035, 0.1, 0.13},
-    {Feature::HipsToBall, Group::Hips, "pelvis", Direction::Ball, 0.04, 0, 0.055},
-    {Feature::ChestToTarget, Group::Chest, "chest", Direction::Target, 0.045, 0.11, 0},
-    {Feature::ChestUp, Group::Chest, "chest", Direction::Up, 0.05, 0.08, 0.1},
-    {Feature::ChestToBall, Group::Chest, "chest", Direction::Ball, 0.045, 0, 0.065},
-    {Feature::HeadToTarget, Group::Head, "head", Direction::Target, 0.035, 0.08, 0},
-    {Feature::HeadUp, Group::Head, "head", Direction::Up, 0.045, 0.07, 0.13},
-    {Feature::HeadToBall, Group::Head, "head", Direction::Ball, 0.055, 0, 0.065},
-    {Feature::HipTurn, Group::HipTurn, "left_hip", Direction::Any, 12, 0, 0},
-    {Feature::ShoulderTurn, Group::Shoulders, "left_shoulder", Direction::Any, 12, 0, 0},
-    {Feature::ShoulderTilt, Group::Shoulders, "left_shoulder", Direction::Any, 7.5, 0, 0},
-    {Feature::LeadElbowPlace, Group::LeadArm, "left_elbow", Direction::Any, 0.06, 0.22, 0},
-    {Feature::TrailElbowPlace, Group::TrailArm, "right_elbow", Direction::Any, 0.06, 0.22, 0.22},
-    {Feature::LeadArmBend, Group::LeadArm, "left_elbow", Direction::Any, 14, 0, 0},
-    {Feature::TrailArmBend, Group::TrailArm, "right_elbow", Direction::Any, 24, 0, 0},
-    {Feature::HandsPlace, Group::Hands, "left_wrist", Direction::Any, 0.07, 0.14, 0.2},
-    {Feature::LeadKneeBend, Group::LeadLeg, "left_knee", Direction::Any, 14, 0, 0},
-    {Feature::TrailKneeBend, Group::TrailLeg, "right_knee", Direction::Any, 14, 0, 28},
-    {Feature::StanceWidth, Group::Stance, "left_ankle", Direction::Target, 0.05, 0.08, 0},
-    {Feature::HandsToBall, Group::Hands, "left_wrist", Direction::Ball, 0.05, 0, 0.12},
-    {Feature::LeadWristBreak, Group::Wrists, "left_wrist", Direction::Any, 14, 0, 0},
+    {Feature::HipsToTarget, Group::Hips, "pelvis", Direction::Target, 0.04},
+    {Feature::HipsUp, Group::Hips, "pelvis", Direction::Up, 0.035},
+    {Feature::HipsToBall, Group::Hips, "pelvis", Direction::Ball, 0.04},
+    {Feature::ChestToTarget, Group::Chest, "chest", Direction::Target, 0.045},
+    {Feature::ChestUp, Group::Chest, "chest", Direction::Up, 0.05},
+    {Feature::ChestToBall, Group::Chest, "chest", Direction::Ball, 0.045},
+    {Feature::HeadToTarget, Group::Head, "head", Direction::Target, 0.035},
+    {Feature::HeadUp, Group::Head, "head", Direction::Up, 0.045},
+    {Feature::HeadToBall, Group::Head, "head", Direction::Ball, 0.055},
+    {Feature::HipTurn, Group::HipTurn, "left_hip", Direction::Any, 12},
+    {Feature::ShoulderTurn, Group::Shoulders, "left_shoulder", Direction::Any, 12},
+    {Feature::ShoulderTilt, Group::Shoulders, "left_shoulder", Direction::Any, 7.5},
+    {Feature::LeadElbowPlace, Group::LeadArm, "left_elbow", Direction::Any, 0.06},
+    {Feature::TrailElbowPlace, Group::TrailArm, "right_elbow", Direction::Any, 0.06},
+    {Feature::LeadArmBend, Group::LeadArm, "left_elbow", Direction::Any, 14},
+    {Feature::TrailArmBend, Group::TrailArm, "right_elbow", Direction::Any, 24},
+    {Feature::HandsPlace, Group::Hands, "left_wrist", Direction::Any, 0.07},
+    {Feature::LeadKneeBend, Group::LeadLeg, "left_knee", Direction::Any, 14},
+    {Feature::TrailKneeBend, Group::TrailLeg, "right_knee", Direction::Any, 14},
+    {Feature::StanceWidth, Group::Stance, "left_ankle", Direction::Target, 0.05},
+    {Feature::HandsToBall, Group::Hands, "left_wrist", Direction::Ball, 0.05},
+    {Feature::LeadWristBreak, Group::Wrists, "left_wrist", Direction::Any, 14},
 }};
 
 constexpr double kLeastConfidence = 0.5;
@@ -116,26 +117,14 @@ struct Candidate {
   double severity = 0, rank = 0;
 };
 
-// 0 where the view cannot tell.
-double clear_amount(const FeatureRule& rule, Viewpoint view) {
-  switch (view) {
-    case Viewpoint::AllSides:
-      return rule.clear;
-    case Viewpoint::FaceOn:
-      return rule.clear_face_on;
-    case Viewpoint::DownTheLine:
-      return rule.clear_down_the_line;
-    case Viewpoint::Between:
-      break;
-  }
-  return rule.clear_face_on > 0 && rule.clear_down_the_line > 0
-             ? std::max(rule.clear_face_on, rule.clear_down_the_line)
-             : 0;
+bool is_length(const FeatureRule& rule) {
+  return rule.clear < 1;
 }
 
 double size_of(const PartDifference& difference, const FeatureRule& rule, const ComparedSwings& swings,
                const BodyAxes& axes) {
-  const bool is_place = rule.direction == Direction::Any && rule.clear < 1;
+  // Of a film, the amount was put right and the offset was not.
+  const bool is_place = rule.direction == Direction::Any && is_length(rule) && !is_one_camera(swings.view);
   if (!is_place) return std::abs(difference.amount);
   const Vec3& o = difference.offset;
   return glm::length(swings.sight.seen(o.x * axes.left + o.y * axes.up + o.z * axes.front));
@@ -150,23 +139,42 @@ std::vector<PartDifference> differences_at(const ComparedSwings& swings, std::st
                            is_one_camera(swings.view) ? ArmAxes::World : ArmAxes::Chest});
 }
 
+// A webcam's body is not quite the golfer's, and its pose model has habits: what is off from address on may
+// be theirs, only what changes from there is the swing's, less what is usual.
+void put_right(std::vector<PartDifference>& differences, const ComparedSwings& swings, std::string_view event,
+               const BodyAxes& axes, Anchor anchor, double size) {
+  const std::vector<PartDifference> before = differences_at(swings, "address", axes, anchor);
+  for (std::size_t k = 0; k < differences.size(); ++k) {
+    PartDifference& difference = differences[k];
+    const FeatureRule& rule = kRules[static_cast<std::size_t>(difference.feature)];
+    const auto habit = feature_habit(swings.view, swings.student_events.kind, event, difference.feature);
+    const double seen = difference.amount - before[k].amount, unit = is_length(rule) ? size : 1;
+    const double right = habit ? unit * habit->truth_from(seen / unit) : seen;
+    difference.offset -= before[k].offset;
+    // A displacement along one direction is as long as its amount.
+    if (rule.direction != Direction::Any && std::abs(seen) > 1e-9) difference.offset *= right / seen;
+    difference.amount = right;
+  }
+}
+
+// 0 where the view cannot tell.
+double clear_amount(const FeatureRule& rule, const ComparedSwings& swings, std::string_view event,
+                    double size) {
+  const double unit = is_length(rule) ? size : 1;
+  if (!is_one_camera(swings.view)) return unit * rule.clear;
+  const auto habit = feature_habit(swings.view, swings.student_events.kind, event, rule.feature);
+  return habit ? unit * habit->clear : 0;
+}
+
 std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_view event,
                                      const BodyAxes& axes, Anchor anchor, double size) {
   const bool is_putt = swings.student_events.kind == StrokeKind::Putt;
   std::vector<PartDifference> differences = differences_at(swings, event, axes, anchor);
-  // A webcam's body is not quite the golfer's, and its pose model leans a little: what is off from address on
-  // may be theirs. Only what changes from there is the swing's.
-  if (is_one_camera(swings.view)) {
-    const std::vector<PartDifference> before = differences_at(swings, "address", axes, anchor);
-    for (std::size_t k = 0; k < differences.size(); ++k) {
-      differences[k].amount -= before[k].amount;
-      differences[k].offset -= before[k].offset;
-    }
-  }
+  if (is_one_camera(swings.view)) put_right(differences, swings, event, axes, anchor, size);
   std::vector<Candidate> found;
   for (const PartDifference& difference : differences) {
     const FeatureRule& rule = kRules[static_cast<std::size_t>(difference.feature)];
-    const double clear = clear_amount(rule, swings.view) * (rule.clear < 1 ? size : 1);
+    const double clear = clear_amount(rule, swings, event, size);
     if (clear <= 0 || difference.confidence < kLeastConfidence) continue;
     // In a full swing the wrists hinge and release; over a putt they are quiet.
     if (rule.feature == Feature::LeadWristBreak && !is_putt) continue;
@@ -175,9 +183,10 @@ std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_v
     candidate.severity = size_of(difference, rule, swings, axes) / clear;
     const bool is_arm_bend = rule.feature == Feature::LeadArmBend || rule.feature == Feature::TrailArmBend;
     if (is_arm_bend && difference.amount < 0) candidate.severity /= kStraighterArmFactor;
-    if (is_putt) candidate.severity /= kPuttFactor;
+    if (is_putt && !is_one_camera(swings.view)) candidate.severity /= kPuttFactor;
     candidate.severity *= swings.strictness.of(judged_part(rule.group));
-    if (event == "finish" || event == "end") candidate.severity *= kFinishWeight;
+    if (!is_one_camera(swings.view) && (event == "finish" || event == "end"))
+      candidate.severity *= kFinishWeight;
     candidate.rank = candidate.severity * std::sqrt(difference.share + 0.02);
     if (!known_fault(rule.feature, difference.amount, event, swings.student_events.kind).empty())
       candidate.rank *= kKnownFaultFactor;
@@ -277,13 +286,9 @@ std::vector<SpatialAdvice> find_spatial_advice(const ComparedSwings& swings, std
   Anchor anchor = Anchor::BothFeet;
   const double size = std::clamp(leg_length(swings.coach) / kUsualLeg_m, 0.7, 1.2);
   for (const SwingEvent& event : swings.student_events.events) {
-    // A film's finish is half hidden, and where in it the hands rest is a guess.
-    if (event.name == "finish" && is_one_camera(swings.view)) break;
     for (Candidate& candidate : candidates_at(swings, event.name, axes, anchor, size))
       by_feature[candidate.difference.feature].push_back(std::move(candidate));
     if (event.name != "impact") continue;
-    // After impact he turns his back on a camera on the target line.
-    if (swings.view == Viewpoint::DownTheLine) break;
     anchor = Anchor::LeadFoot;
   }
   std::map<Group, Candidate> by_group;

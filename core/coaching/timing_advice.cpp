@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/coaching/advice_text.h"
+#include "core/coaching/film_habits.h"
 #include "core/coaching/known_fault.h"
 
 namespace posecoach {
@@ -18,10 +19,9 @@ constexpr double kClearRatio = 0.14;
 constexpr double kClearSigmas = 2;
 // Slower or quicker than this as a whole, and the golfer is rehearsing or the film is in slow motion.
 constexpr double kOtherPace = 1.6;
-// Frames that an event may be off: between two frames, and on a trembling webcam skeleton.
-constexpr double kFramesOff = 0.15, kFramesOffOneCamera = 0.6;
-constexpr double kLeastOff_s = 0.004, kLeastOffOneCamera_s = 0.020;
-constexpr double kTakeawayOffDownTheLine_s = 0.08;
+// Frames that an event may be off, between two frames.
+constexpr double kFramesOff = 0.15, kFramesOffOneCamera = 0.2;
+constexpr double kLeastOff_s = 0.004;
 
 using Phase = std::pair<std::string_view, std::string_view>;
 constexpr std::array<Phase, 4> kFullSwing = {
@@ -30,16 +30,10 @@ constexpr std::array<Phase, 3> kPutt = {{{"takeaway", "top"}, {"top", "impact"},
 
 }  // namespace
 
-double event_uncertainty_s(const JointTrack& track, Viewpoint view) {
-  const double rate = track.frame_rate();
-  const double frames = is_one_camera(view) ? kFramesOffOneCamera : kFramesOff;
-  return std::max(is_one_camera(view) ? kLeastOffOneCamera_s : kLeastOff_s, rate > 0 ? frames / rate : 0);
-}
-
-double takeaway_uncertainty_s(const JointTrack& track, Viewpoint view) {
-  // Down the line the hands start straight away from the camera, which sees it late.
-  const double late_s = view == Viewpoint::DownTheLine ? kTakeawayOffDownTheLine_s : 0;
-  return std::hypot(event_uncertainty_s(track, view), late_s);
+double event_uncertainty_s(const JointTrack& track, Viewpoint view, StrokeKind kind, std::string_view event) {
+  const double rate = track.frame_rate(), frame_s = rate > 0 ? 1 / rate : 0;
+  if (!is_one_camera(view)) return std::max(kLeastOff_s, kFramesOff * frame_s);
+  return std::hypot(event_habit(view, kind, event).spread_s, kFramesOffOneCamera * frame_s);
 }
 
 TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& alignment) {
@@ -52,16 +46,16 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
   const Phase whole{"takeaway", "impact"};
   result.pace = duration(student, whole) / std::max(1e-3, duration(coach, whole));
   result.in_proportion = result.pace > kOtherPace || result.pace < 1 / kOtherPace;
-  const double off_s = event_uncertainty_s(swings.student, swings.view);
-  const double coach_off_s = event_uncertainty_s(swings.coach, Viewpoint::AllSides);
+  const double coach_off_s = event_uncertainty_s(swings.coach, Viewpoint::AllSides, coach.kind, {});
   const std::span<const Phase> phases =
       student.kind == StrokeKind::Putt ? std::span<const Phase>(kPutt) : kFullSwing;
   for (const Phase& phase : phases) {
     // A webcam's hands settle late, and some motions end before they do.
     const bool is_end_known = student.is_end_seen && coach.is_end_seen && !is_one_camera(swings.view);
     if (phase.first == "impact" && !is_end_known) continue;
-    const double start_off_s =
-        phase.first == "takeaway" ? takeaway_uncertainty_s(swings.student, swings.view) : off_s;
+    const auto off_s = [&](std::string_view event) {
+      return event_uncertainty_s(swings.student, swings.view, student.kind, event);
+    };
     TimingAdvice advice;
     advice.from = phase.first;
     advice.to = phase.second;
@@ -69,9 +63,9 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
     advice.coach_s = duration(coach, phase);
     if (advice.student_s <= 0 || advice.coach_s <= 0) continue;
     advice.ratio = advice.student_s / advice.coach_s;
-    advice.plus_minus = advice.ratio * std::sqrt(2.0) *
-                        std::hypot(std::hypot(off_s, start_off_s) / std::sqrt(2.0) / advice.student_s,
-                                   coach_off_s / advice.coach_s);
+    advice.plus_minus =
+        advice.ratio * std::hypot(std::hypot(off_s(phase.first), off_s(phase.second)) / advice.student_s,
+                                  std::sqrt(2.0) * coach_off_s / advice.coach_s);
     const double along_path = alignment.student_time(coach.time_of(phase.second)) -
                               alignment.student_time(coach.time_of(phase.first));
     advice.path_ratio = along_path / advice.coach_s;

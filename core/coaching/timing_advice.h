@@ -20,8 +20,7 @@ struct TimingResult {
 
 TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& alignment);
 
-// How far off an event's time may be, and the takeaway's, seconds.
-double event_uncertainty_s(const JointTrack& track, Viewpoint view);
-double takeaway_uncertainty_s(const JointTrack& track, Viewpoint view);
+// How far off an event's time may be ("takeaway" counts), seconds.
+double event_uncertainty_s(const JointTrack& track, Viewpoint view, StrokeKind kind, std::string_view event);
 
 }  // namespace posecoach

@@ -1,0 +1,42 @@
+// What a pose model gets wrong by habit, seen from one side by one camera: measured on films of simulated
+// strokes whose truth is known (posecoach evaluate coaching --through film; docs/ADVICE.md). What is told
+// from a film is only what stands here: the rest cannot be told from that side.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/coaching/alignment.h"
+#include "core/coaching/part_differences.h"
+#include "core/coaching/swing_events.h"
+#include "core/coaching/viewpoint.h"
+
+namespace posecoach {
+
+// seen = usual_error + gain * truth, give or take; metres of a golfer of 1.80 m, or degrees. From address on:
+// what was there at address already is taken off.
+struct FeatureHabit {
+  double usual_error = 0;
+  double gain = 1;
+  // From which on a difference is clear: faultless strokes, and those with another fault, stay below it.
+  double clear = 0;
+
+  double truth_from(double seen) const { return (seen - usual_error) / gain; }
+};
+// Nothing where this side cannot tell. A camera at an angle tells only what both sides can.
+std::optional<FeatureHabit> feature_habit(Viewpoint view, StrokeKind kind, std::string_view event,
+                                          Feature feature);
+
+// How much later than it is an event is found, and how much that wavers, seconds.
+struct EventHabit {
+  double late_s = 0, spread_s = 0.03;
+};
+EventHabit event_habit(Viewpoint view, StrokeKind kind, std::string_view event);
+
+// The events of a student seen by one camera, put right: the top, which the depth of the hands hides, as the
+// alignment answers the coach's, and every habit taken off. Unchanged where that would put them out of order,
+// and where every side was seen.
+SwingEvents events_put_right(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment,
+                             const JointTrack& student, Viewpoint view);
+
+}  // namespace posecoach
