@@ -11,6 +11,7 @@
 #include "app/evaluate_retarget_command.h"
 #include "app/evaluate_transfer_command.h"
 #include "app/library_command.h"
+#include "app/live_command.h"
 #include "app/pose_command.h"
 #include "app/record_command.h"
 #include "app/retarget_command.h"
@@ -49,9 +50,10 @@ int run(int argc, char** argv) {
   Action action;
   cli.require_subcommand(0, 1);
   cli.set_version_flag("--version", "posecoach " POSECOACH_VERSION);
+  add_live_command(cli, action);
+  add_analyze_command(cli, action);
   add_cameras_command(cli, action);
   add_record_command(cli, action);
-  add_analyze_command(cli, action);
   add_pose_command(cli, action);
   add_body_command(cli, action);
   add_retarget_command(cli, action);
@@ -75,10 +77,6 @@ int run(int argc, char** argv) {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : 2;
-  }
-  if (!action) {
-    std::fputs(cli.help().c_str(), stdout);
-    return 0;
   }
   const Result<void> done = action();
   if (!done) return fail_with(done.error().message);

@@ -5,6 +5,7 @@
 #include <GL/glext.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "core/base/assert.h"
 
@@ -47,6 +48,22 @@ Image OffscreenTarget::read_image() const {
   for (int y = 0; y < height_; ++y)
     std::copy_n(image.pixel(0, height_ - 1 - y), 3 * static_cast<std::size_t>(width_), upright.pixel(0, y));
   return upright;
+}
+
+bool is_drawn_by_software() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string_view renderer = name == nullptr ? "" : name;
+  return renderer.find("llvmpipe") != std::string_view::npos ||
+         renderer.find("softpipe") != std::string_view::npos ||
+         renderer.find("SWR") != std::string_view::npos;
+}
+
+void clear_window(int width, int height) {
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, width, height);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
 }
 
 }  // namespace posecoach

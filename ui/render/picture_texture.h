@@ -30,4 +30,10 @@ class OffscreenTarget {
   gl::Handle texture_, framebuffer_;
 };
 
+// Of the current context: whether the processor draws, for want of a graphics card.
+bool is_drawn_by_software();
+
+// The window's own framebuffer, made black and drawn into from now on.
+void clear_window(int width, int height);
+
 }  // namespace posecoach

@@ -1,0 +1,85 @@
+#include "app/live_command.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/pose_options.h"
+#include "app/window/glfw_window.h"
+#include "app/window/window_program.h"
+#include "ui/render/picture_texture.h"
+#include "ui/screens/screens.h"
+#include "ui/widgets/gl_scene_views.h"
+#include "ui/widgets/interface.h"
+
+namespace posecoach {
+namespace {
+
+// Software drawing keeps up with scenes of about this size.
+constexpr double kSoftwarePixels = 0.75e6, kHardwarePixels = 8.3e6;
+
+Result<void> run(const LiveArguments& arguments) {
+  Result<std::unique_ptr<GlfwWindow>> opened = GlfwWindow::open("Virtual Pose Coach", 1280, 720);
+  if (!opened) return tl::unexpected(opened.error());
+  GlfwWindow& window = **opened;
+  Result<std::unique_ptr<WindowProgram>> made = WindowProgram::make(arguments);
+  if (!made) return tl::unexpected(made.error());
+  WindowProgram& program = **made;
+  Result<std::unique_ptr<Interface>> interface = Interface::make(Interface::Drawing::OpenGl);
+  if (!interface) return tl::unexpected(interface.error());
+  window.connect();
+  GlSceneViews views(is_drawn_by_software() ? kSoftwarePixels : kHardwarePixels);
+  WindowState state;
+  Intents intents;
+  double text_size = 1;
+  int hurry = 3;  // frames to draw at once after something happened
+  while (!window.wants_to_close() && !program.wants_to_quit()) {
+    const FrameInput input = window.next_input(hurry > 0 ? 0.004 : program.longest_sleep_s(state), text_size);
+    hurry = window.was_touched() || !intents.empty() ? 3 : hurry - 1;
+    const WindowModel& model = program.model(input.time_s, state);
+    text_size = model.text_size;
+    const Theme theme = make_theme(model.theme, model.palette);
+    intents.clear();
+    std::unique_ptr<Ui> ui = (*interface)->begin(input, theme, views);
+    draw_window({*ui, model, state, intents}, ui->whole());
+    (*interface)->end(std::move(ui));
+    window.clear();
+    (*interface)->draw();
+    views.end_frame();
+    window.show();
+    program.perform(intents, state);
+    if (program.takes_full_screen()) window.toggle_full_screen();
+  }
+  window.disconnect();
+  return {};
+}
+
+void set_up(CLI::App& command, const std::shared_ptr<LiveArguments>& arguments) {
+  command
+      .add_option("--source", arguments->source,
+                  "A camera, a film, simulated:swing; as last time when not given")
+      ->type_name("SOURCE");
+  command.add_option("--coach", arguments->coach, "bundled:swing, a reference, a motion file")
+      ->type_name("COACH");
+  command.add_option("--profile", arguments->person, "Who practises")->type_name("NAME");
+}
+
+}  // namespace
+
+void add_live_command(CLI::App& cli, Action& action) {
+  auto arguments = std::make_shared<LiveArguments>();
+  CLI::App* command = cli.add_subcommand("live", "The window: practise live, review afterwards");
+  set_up(*command, arguments);
+  const auto pose = add_pose_options(*command);
+  command->callback([&action, arguments, pose] {
+    action = [arguments, pose] {
+      LiveArguments all = *arguments;
+      all.pose = *pose;
+      return run(all);
+    };
+  });
+  // Without a command: the same. Any other command takes its place.
+  set_up(cli, arguments);
+  action = [arguments] { return run(*arguments); };
+}
+
+}  // namespace posecoach

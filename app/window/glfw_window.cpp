@@ -1,0 +1,165 @@
+#include "app/window/glfw_window.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/render/picture_texture.h"
+
+namespace posecoach {
+namespace {
+
+std::string last_glfw_error() {
+  const char* words = nullptr;
+  (void)glfwGetError(&words);
+  return words == nullptr ? "no reason was given" : words;
+}
+
+// Letters as the user's own keyboard names them.
+Key key_of(int key, int scancode) {
+  if (key > GLFW_KEY_SPACE && key < GLFW_KEY_ESCAPE)
+    if (const char* name = glfwGetKeyName(key, scancode); name != nullptr && name[0] != 0 && name[1] == 0) {
+      const char c = name[0];
+      return static_cast<Key>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+    }
+  return key == GLFW_KEY_KP_ENTER ? Key::Enter : static_cast<Key>(key);
+}
+
+}  // namespace
+
+GlfwWindow::GlfwWindow(GLFWwindow* window) : window_(window) {
+  glfwSetWindowUserPointer(window_, this);
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(1);
+  listen();
+}
+
+GlfwWindow::~GlfwWindow() {
+  disconnect();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+Result<std::unique_ptr<GlfwWindow>> GlfwWindow::open(const std::string& title, int width, int height) {
+  if (glfwInit() != GLFW_TRUE)
+    return fail(ErrorCode::Unsupported, "there is no display for the window (" + last_glfw_error() +
+                                            "); `posecoach analyze` and the other commands work without one");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "virtual-pose-coach");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "virtual-pose-coach");
+  GLFWwindow* const window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (window == nullptr) {
+    const std::string reason = last_glfw_error();
+    glfwTerminate();
+    return fail(ErrorCode::Unsupported, "the window needs OpenGL 3.3: " + reason);
+  }
+  glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  return std::unique_ptr<GlfwWindow>(new GlfwWindow(window));
+}
+
+void GlfwWindow::listen() {
+  const auto self = [](GLFWwindow* window) {
+    return static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
+  };
+  static const auto of = self;
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+    GlfwWindow& it = *of(window);
+    it.was_touched_ = true;
+    if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
+    it.keys_.push_back(
+        {key_of(key, scancode), (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0});
+  });
+  glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+    of(window)->was_touched_ = true;
+    of(window)->dropped_.insert(of(window)->dropped_.end(), paths, paths + count);
+  });
+  glfwSetCursorPosCallback(window_,
+                           [](GLFWwindow* window, double, double) { of(window)->was_touched_ = true; });
+  glfwSetMouseButtonCallback(window_,
+                             [](GLFWwindow* window, int, int, int) { of(window)->was_touched_ = true; });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { of(window)->was_touched_ = true; });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window)->was_touched_ = true; });
+  glfwSetFramebufferSizeCallback(window_,
+                                 [](GLFWwindow* window, int, int) { of(window)->was_touched_ = true; });
+}
+
+void GlfwWindow::connect() {
+  // Chains to the callbacks that are there.
+  ImGui_ImplGlfw_InitForOpenGL(window_, true);
+  is_connected_ = true;
+}
+
+void GlfwWindow::disconnect() {
+  if (is_connected_) ImGui_ImplGlfw_Shutdown();
+  is_connected_ = false;
+}
+
+FrameInput GlfwWindow::next_input(double longest_wait_s, double text_size) {
+  was_touched_ = false;
+  if (longest_wait_s > 0)
+    glfwWaitEventsTimeout(longest_wait_s);
+  else
+    glfwPollEvents();
+  ImGui_ImplGlfw_NewFrame();
+  FrameInput input;
+  int width = 0, height = 0, width_px = 0, height_px = 0;
+  glfwGetWindowSize(window_, &width, &height);
+  glfwGetFramebufferSize(window_, &width_px, &height_px);
+  float scale_x = 1, scale_y = 1;
+  glfwGetWindowContentScale(window_, &scale_x, &scale_y);
+  // In steps, so that fonts are sharp and not made anew at every turn.
+  const double wanted = static_cast<double>(std::max(scale_x, scale_y)) * text_size;
+  input.scale = std::clamp(std::round(4 * wanted) / 4, 0.75, 4.0);
+  input.size = Vec2(std::max(1, width_px), std::max(1, height_px)) / input.scale;
+  ImGuiIO& io = ImGui::GetIO();
+  if (io.MousePos.x > -1e6F && width > 0 && height > 0) {
+    io.MousePos.x *= static_cast<float>(input.size.x / width);
+    io.MousePos.y *= static_cast<float>(input.size.y / height);
+  }
+  input.time_s = glfwGetTime();
+  input.elapsed_s = std::clamp(input.time_s - last_time_s_, 1e-4, 0.5);
+  last_time_s_ = input.time_s;
+  input.keys = std::exchange(keys_, {});
+  input.dropped_files = std::exchange(dropped_, {});
+  return input;
+}
+
+void GlfwWindow::clear() {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  clear_window(width, height);
+}
+
+void GlfwWindow::show() {
+  glfwSwapBuffers(window_);
+}
+
+bool GlfwWindow::wants_to_close() const {
+  return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+void GlfwWindow::close() {
+  glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void GlfwWindow::toggle_full_screen() {
+  if (glfwGetWindowMonitor(window_) != nullptr) {
+    glfwSetWindowMonitor(window_, nullptr, saved_[0], saved_[1], saved_[2], saved_[3], GLFW_DONT_CARE);
+    return;
+  }
+  glfwGetWindowPos(window_, &saved_[0], &saved_[1]);
+  glfwGetWindowSize(window_, &saved_[2], &saved_[3]);
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return;
+  const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+}  // namespace posecoach

@@ -1,0 +1,32 @@
+// What the program remembers between runs. Apart from the window's model, whose words for cameras are others.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace posecoach {
+
+struct Remembered {
+  std::string source;  // the camera, as open_source() takes it; empty: none was chosen
+  std::string theme = "dark", palette = "red-green";
+  double text_size = 1;
+  bool is_sound_on = true;
+  std::string person;
+};
+
+class Memory {
+ public:
+  explicit Memory(const std::filesystem::path& file);
+  ~Memory();
+  const std::string& message() const;  // what was wrong with the file
+
+  Remembered remembered;
+  void save();
+
+ private:
+  class File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace posecoach

@@ -1,0 +1,47 @@
+// Pictures of an opened swing, fetched beside the window's thread: the wanted one first, then those that
+// come next. Memory is bounded.
+#pragma once
+
+#include <condition_variable>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "core/pipeline/analyzed_swing.h"
+#include "ui/screens/window_model.h"
+
+namespace posecoach {
+
+// Lets several threads use one store, one after the other.
+std::shared_ptr<PictureStore> make_shared_store(std::shared_ptr<PictureStore> store);
+
+// The pictures of a film file, read as they are wanted. Errors: those of opening it.
+Result<std::shared_ptr<PictureStore>> open_film_store(const std::string& path, const PoseTrack& track);
+
+class PictureFetcher {
+ public:
+  explicit PictureFetcher(std::shared_ptr<PictureStore> store);
+  ~PictureFetcher();
+
+  // Never waits. The wanted picture, or the last one that was shown, or nothing.
+  std::optional<ShownPicture> lookup(int wanted);
+
+ private:
+  void run(const std::stop_token& stop);
+  std::optional<int> next_missing() const;
+
+  std::shared_ptr<PictureStore> store_;
+  std::mutex mutex_;
+  std::condition_variable_any wanted_changed_;
+  int wanted_ = 0, shown_ = -1;
+  std::map<int, std::shared_ptr<const Image>> pictures_;
+  std::list<int> order_;
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+// As the window's model wants it; keeps the fetcher alive.
+PictureLookup lookup_of(std::shared_ptr<PictureFetcher> fetcher);
+
+}  // namespace posecoach

@@ -1,0 +1,210 @@
+#include "app/window/window_program.h"
+
+#include <algorithm>
+
+#include "app/window/live_session.h"
+#include "app/window/memory.h"
+#include "core/base/log.h"
+#include "core/base/overloaded.h"
+
+namespace posecoach {
+namespace {
+
+constexpr double kToastStays_s = 7, kWarningStays_s = 14;
+
+}  // namespace
+
+WindowProgram::WindowProgram(const LiveArguments& arguments)
+    : pose_(arguments.pose),
+      places_(find_places()),
+      references_(places_.references()),
+      people_(places_.people()),
+      memory_(std::make_unique<Memory>(places_.settings_file())) {}
+
+WindowProgram::~WindowProgram() {
+  jobs_.reset();
+  live_.reset();
+}
+
+Result<std::unique_ptr<WindowProgram>> WindowProgram::make(const LiveArguments& arguments) {
+  std::unique_ptr<WindowProgram> made(new WindowProgram(arguments));
+  if (const Result<void> started = made->start(arguments); !started) return tl::unexpected(started.error());
+  return made;
+}
+
+Result<void> WindowProgram::start(const LiveArguments& arguments) {
+  Result<std::unique_ptr<LiveSession>> live = LiveSession::make(arguments.pose);
+  if (!live) return tl::unexpected(live.error());
+  live_ = *std::move(live);
+  jobs_ = std::make_unique<JobQueue>([this](const Error& error) { tell(ToastKind::Warning, error.message); });
+  Result<std::unique_ptr<Library>> library = Library::open(places_.library);
+  if (library)
+    library_ = *std::move(library);
+  else
+    model_.library_message = library.error().message;
+  if (!memory_->message().empty()) tell(ToastKind::Warning, memory_->message());
+  model_.folder = places_.library.string();
+  model_.has_sound = sounds_.has_device();
+  const Remembered& remembered = memory_->remembered;
+  model_.theme = remembered.theme == "light" ? ThemeKind::Light : ThemeKind::Dark;
+  model_.palette = remembered.palette == "colour-blind" ? Palette::ColourBlindSafe : Palette::RedGreen;
+  model_.text_size = remembered.text_size;
+  model_.is_sound_on = remembered.is_sound_on;
+  person_ = people_.default_person(arguments.person.empty() ? remembered.person : arguments.person);
+  if (!arguments.person.empty()) choose_person(arguments.person);
+  if (!arguments.coach.empty()) person_.coach = arguments.coach;
+  refresh_people();
+  refresh_coaches();
+  refresh_cameras();
+  refresh_swings();
+  apply_person();
+  choose_coach(person_.coach);
+  std::string source = arguments.source.empty() ? remembered.source : arguments.source;
+  const bool is_there = std::any_of(model_.cameras.begin(), model_.cameras.end(),
+                                    [&](const CameraEntry& camera) { return camera.source == source; });
+  // A camera of last time that is not plugged in must not stop anybody from starting.
+  if (arguments.source.empty() && !is_there) source = model_.cameras.front().source;
+  choose_source(source, false);
+  return {};
+}
+
+void WindowProgram::tell(ToastKind kind, std::string text, std::string action, std::optional<Intent> intent) {
+  if (kind == ToastKind::Warning) log::warning(text);
+  const double stays = kind == ToastKind::Warning ? kWarningStays_s : kToastStays_s;
+  toasts_.push_back(
+      {{next_toast_++, kind, std::move(text), std::move(action), std::move(intent)}, time_s_ + stays});
+  constexpr std::size_t kMost = 4;
+  if (toasts_.size() > kMost) toasts_.erase(toasts_.begin());
+}
+
+const WindowModel& WindowProgram::model(double time_s, WindowState& state) {
+  time_s_ = time_s;
+  (void)jobs_->finish_jobs();
+  if (wanted_screen_) state.screen = *std::exchange(wanted_screen_, std::nullopt);
+  model_.snapshot = live_->runner().snapshot();
+  follow_loop(*model_.snapshot, time_s);
+  const SessionRecording recording = live_->recording();
+  model_.is_recording = recording.is_on;
+  model_.recorded_s = recording.seconds;
+  model_.recorded_frames = recording.written;
+  model_.recording_lost = recording.lost;
+  if (recording.is_on && !recording.problem.empty()) record(false);
+  model_.jobs = jobs_->jobs();
+  std::erase_if(toasts_, [&](const TimedToast& toast) { return toast.until_s < time_s; });
+  model_.toasts.clear();
+  for (const TimedToast& toast : toasts_) model_.toasts.push_back(toast.toast);
+  return model_;
+}
+
+double WindowProgram::longest_sleep_s(const WindowState& state) const {
+  constexpr double kFrame = 1.0 / 60, kLive = 1.0 / 30, kIdle = 0.2;
+  if (state.screen == ScreenName::Live) return kLive;
+  if (state.screen == ScreenName::Review && state.playback.is_playing) return kFrame;
+  return jobs_->is_busy() || !toasts_.empty() ? 0.05 : kIdle;
+}
+
+void WindowProgram::perform(const Intents& intents, WindowState& state) {
+  for (const Intent& intent : intents) perform_one(intent, state);
+}
+
+void WindowProgram::perform_one(const Intent& intent, WindowState& state) {
+  PipelineRunner& runner = live_->runner();
+  std::visit(
+      Overloaded{
+          [&](const intent::ArmHandsFree&) { runner.request([](CoachPipeline& p) { p.arm(); }); },
+          [&](const intent::DisarmHandsFree&) { runner.request([](CoachPipeline& p) { p.disarm(); }); },
+          [&](const intent::MeasureBody&) { runner.request([](CoachPipeline& p) { p.start_measuring(); }); },
+          [&](const intent::StopMeasuring&) { runner.request([](CoachPipeline& p) { p.stop_measuring(); }); },
+          [&](const intent::SetPace& it) {
+            model_.pace = it.pace;
+            runner.request(
+                [pace = it.pace, speed = model_.ghost_speed](CoachPipeline& p) { p.set_pace(pace, speed); });
+          },
+          [&](const intent::SetGhostSpeed& it) {
+            model_.ghost_speed = it.speed;
+            runner.request(
+                [pace = model_.pace, speed = it.speed](CoachPipeline& p) { p.set_pace(pace, speed); });
+          },
+          [&](const intent::LeaveReplay&) { runner.request([](CoachPipeline& p) { p.dismiss_replay(); }); },
+          [&](const intent::OpenLastSwing&) {
+            if (!last_swing_) return;
+            model_.opened = make_opened(last_swing_id_, "Last swing", last_swing_, false);
+            model_.compared.reset();
+            state.screen = ScreenName::Review;
+            runner.request([](CoachPipeline& p) { p.dismiss_replay(); });
+          },
+          [&](const intent::StartRecording&) { record(true); },
+          [&](const intent::StopRecording&) { record(false); },
+          [&](const intent::TakeSnapshot&) { take_snapshot(); },
+          [&](const intent::ChooseSource& it) { choose_source(it.source, true); },
+          [&](const intent::RetrySource&) { choose_source(model_.source, false); },
+          [&](const intent::RefreshCameras&) { refresh_cameras(); },
+          [&](const intent::ChooseCoach& it) { choose_coach(it.id); },
+          [&](const intent::ChoosePerson& it) { choose_person(it.id); },
+          [&](const intent::AddPerson& it) {
+            Person person;
+            person.name = it.name;
+            if (const Result<void> saved = people_.save(person); !saved)
+              return tell(ToastKind::Warning, saved.error().message);
+            choose_person(it.name);
+          },
+          [&](const intent::RenamePerson&) {},
+          [&](const intent::SetHand& it) { change_person([&](Person& person) { person.hand = it.hand; }); },
+          [&](const intent::SetHeight& it) {
+            change_person([&](Person& person) { person.height_m = it.height_m; });
+          },
+          [&](const intent::OpenSwing& it) { open_swing(it.id, false, state); },
+          [&](const intent::CompareWith& it) { open_swing(it.id, true, state); },
+          [&](const intent::StopComparing&) { model_.compared.reset(); },
+          [&](const intent::SetStar& it) {
+            if (!library_) return;
+            SwingChange change;
+            change.star = it.is_starred;
+            if (const Result<Swing> changed = library_->change(it.id, change); !changed)
+              return tell(ToastKind::Warning, changed.error().message);
+            if (model_.opened && model_.opened->id == it.id) model_.opened->is_starred = it.is_starred;
+            refresh_swings();
+          },
+          [&](const intent::SetNotes& it) {
+            if (!library_) return;
+            SwingChange change;
+            change.notes = it.notes;
+            if (const Result<Swing> changed = library_->change(it.id, change); !changed)
+              return tell(ToastKind::Warning, changed.error().message);
+            for (SwingCard& card : model_.swings)
+              if (card.id == it.id) card.notes = it.notes;
+          },
+          [&](const intent::TrashSwing& it) { trash_swing(it.id, state); },
+          [&](const intent::RestoreSwing& it) {
+            if (!library_) return;
+            if (const Result<Swing> restored = library_->restore(it.id); !restored)
+              return tell(ToastKind::Warning, restored.error().message);
+            refresh_swings();
+          },
+          [&](const intent::MakeReference& it) { make_reference(it.id); },
+          [&](const intent::ExportSwing& it) { export_swing(it.id, it.kind); },
+          [&](const intent::ImportFile& it) { import_file(it.path, state); },
+          [&](const intent::CancelJob& it) { jobs_->cancel(it.id); },
+          [&](const intent::DismissToast& it) {
+            std::erase_if(toasts_, [&](const TimedToast& toast) { return toast.toast.id == it.id; });
+          },
+          [&](const intent::SetLook& it) {
+            model_.theme = it.kind;
+            model_.palette = it.palette;
+            save_look();
+          },
+          [&](const intent::SetTextSize& it) {
+            model_.text_size = it.factor;
+            save_look();
+          },
+          [&](const intent::SetSound& it) {
+            model_.is_sound_on = it.is_on;
+            save_look();
+          },
+          [&](const intent::ToggleFullScreen&) { wants_full_screen_ = true; },
+          [&](const intent::Quit&) { wants_to_quit_ = true; },
+      },
+      intent);
+}
+
+}  // namespace posecoach

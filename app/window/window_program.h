@@ -1,0 +1,107 @@
+// The program behind the window: it owns the live pipeline, the library and the long work, makes the window's
+// model anew for each frame, and does what the user wants.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/window/job_queue.h"
+#include "app/window/picture_fetcher.h"
+#include "app/window/sounds.h"
+#include "core/session/library.h"
+#include "core/session/person.h"
+#include "core/session/places.h"
+#include "core/session/references.h"
+#include "core/vision/pose_tracker.h"
+#include "ui/screens/window_model.h"
+
+namespace posecoach {
+
+struct LiveArguments {
+  std::string source, coach, person;  // empty: as last time
+  PoseTrackerOptions pose;
+};
+
+class LiveSession;
+class Memory;
+
+class WindowProgram {
+ public:
+  // Errors: the pose networks are missing.
+  static Result<std::unique_ptr<WindowProgram>> make(const LiveArguments& arguments);
+  ~WindowProgram();
+
+  // What the window shows now; `state` tells where the user is.
+  const WindowModel& model(double time_s, WindowState& state);
+  void perform(const Intents& intents, WindowState& state);
+  // Whether something will change soon without the user: how long the window may sleep.
+  double longest_sleep_s(const WindowState& state) const;
+  bool wants_to_quit() const { return wants_to_quit_; }
+  bool takes_full_screen() { return std::exchange(wants_full_screen_, false); }
+
+ private:
+  explicit WindowProgram(const LiveArguments& arguments);
+  Result<void> start(const LiveArguments& arguments);
+
+  // window_program_live.cpp
+  void follow_loop(const CoachSnapshot& snapshot, double time_s);
+  void take_swing(const CoachSnapshot& snapshot);
+  void keep_swing(std::shared_ptr<const AnalyzedSwing> swing);
+  void choose_source(const std::string& source, bool is_remembered);
+  void choose_coach(const std::string& source);
+  void take_snapshot();
+  void record(bool is_on);
+  void refresh_cameras();
+
+  // window_program_library.cpp
+  void refresh_swings();
+  void open_swing(const std::string& id, bool as_second, WindowState& state);
+  void import_file(const std::string& path, WindowState& state);
+  void export_swing(const std::string& id, ExportKind kind);
+  void make_reference(const std::string& id);
+  void trash_swing(const std::string& id, WindowState& state);
+  void refresh_coaches();
+
+  // window_program_people.cpp
+  void choose_person(const std::string& name);
+  void change_person(const std::function<void(Person&)>& change);
+  void refresh_people();
+  void apply_person();
+  void save_look();
+
+  void perform_one(const Intent& intent, WindowState& state);
+  void tell(ToastKind kind, std::string text, std::string action = {}, std::optional<Intent> intent = {});
+  OpenedSwing make_opened(const std::string& id, std::string title,
+                          std::shared_ptr<const AnalyzedSwing> swing, bool is_starred);
+
+  struct TimedToast {
+    Toast toast;
+    double until_s = 0;
+  };
+
+  PoseTrackerOptions pose_;
+  Places places_;
+  std::unique_ptr<Library> library_;
+  References references_;
+  People people_;
+  std::unique_ptr<Memory> memory_;  // the settings
+  Person person_;
+  Sounds sounds_;
+  WindowModel model_;
+  double time_s_ = 0;
+  int next_toast_ = 1;
+  std::vector<TimedToast> toasts_;
+  std::shared_ptr<const AnalyzedSwing> last_swing_;
+  std::string last_swing_id_;  // once it is kept
+  std::shared_ptr<const Skeleton> saved_body_;
+  LoopState last_loop_ = LoopState::Off;
+  double replay_until_s_ = 0;
+  std::string wanted_screen_id_;  // a swing that is being opened
+  std::optional<ScreenName> wanted_screen_;
+  bool wants_to_quit_ = false, wants_full_screen_ = false;
+  std::unique_ptr<LiveSession> live_;
+  std::unique_ptr<JobQueue> jobs_;  // last: its work uses the above
+};
+
+}  // namespace posecoach

@@ -1,0 +1,194 @@
+#include <cmath>
+
+#include "app/window/live_session.h"
+#include "app/window/memory.h"
+#include "app/window/window_program.h"
+#include "capture/video_writer.h"
+#include "core/image/image_codec.h"
+#include "core/session/wall_time.h"
+
+namespace posecoach {
+namespace {
+
+// As long as the pipeline shows its answer (CoachPipelineOptions).
+constexpr double kReplay_s = CoachPipelineOptions{}.replay_s;
+constexpr int kThumbnailWidth_px = 360;
+
+Result<std::filesystem::path> file_for_now(const std::filesystem::path& folder, std::string_view what,
+                                           std::string_view extension) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return fail(ErrorCode::Unreadable, folder.string() + ": cannot be made: " + failed.message());
+  const WallTime now = wall_time_now();
+  return folder / (day_of(now) + "_" + clock_of(now) + "_" + std::string(what) + std::string(extension));
+}
+
+// The picture in which the swing's answer is seen best: the first advice, else the top of the swing.
+std::size_t telling_picture(const AnalyzedSwing& swing) {
+  const Analysis& analysis = swing.pair.analysis;
+  int picture = swing.student.first_frame;
+  for (const SwingEvent& event : analysis.student_events)
+    if (event.name == "top") picture = event.frame;
+  return static_cast<std::size_t>(std::clamp(picture, 0, static_cast<int>(swing.track.frames.size()) - 1));
+}
+
+Result<void> write_film(const AnalyzedSwing& swing, const std::filesystem::path& path,
+                        const Progress& progress) {
+  const std::size_t count = swing.pictures->count();
+  Result<std::shared_ptr<const Image>> first = swing.pictures->picture(0);
+  if (!first) return tl::unexpected(first.error());
+  Result<std::unique_ptr<VideoWriter>> opened =
+      VideoWriter::open(path, {.width = (**first).width, .height = (**first).height});
+  if (!opened) return tl::unexpected(opened.error());
+  VideoWriter& writer = **opened;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Result<std::shared_ptr<const Image>> picture = swing.pictures->picture(i);
+    if (!picture) return tl::unexpected(picture.error());
+    if (const Result<void> written = writer.write(**picture, swing.pictures->time(i)); !written)
+      return written;
+    if (!report(progress, "film", static_cast<double>(i) / static_cast<double>(count)))
+      return fail(ErrorCode::Cancelled, "stopped while keeping the swing");
+  }
+  return writer.finish();
+}
+
+}  // namespace
+
+void WindowProgram::follow_loop(const CoachSnapshot& snapshot, double time_s) {
+  model_.is_simulated = model_.source.starts_with("simulated:");
+  if (snapshot.measured_body && snapshot.measured_body != saved_body_) {
+    saved_body_ = snapshot.measured_body;
+    if (!person_.body || !(*person_.body == *snapshot.measured_body)) {
+      person_.body = *snapshot.measured_body;
+      if (const Result<void> saved = people_.save(person_); !saved)
+        tell(ToastKind::Warning, saved.error().message);
+      refresh_people();
+    }
+  }
+  if (snapshot.swing && snapshot.swing != last_swing_) take_swing(snapshot);
+  if (snapshot.loop != last_loop_) {
+    if (model_.is_sound_on) {
+      if (snapshot.loop == LoopState::Ready) sounds_.play(Tone::Ready);
+      if (snapshot.loop == LoopState::Swinging) sounds_.play(Tone::Swing);
+      if (snapshot.loop == LoopState::Replay) sounds_.play(Tone::Answer);
+    }
+    if (snapshot.loop == LoopState::Replay) replay_until_s_ = time_s + kReplay_s;
+    last_loop_ = snapshot.loop;
+  }
+  model_.replay_seconds_left = std::max(0.0, replay_until_s_ - time_s);
+}
+
+void WindowProgram::take_swing(const CoachSnapshot& snapshot) {
+  last_swing_ = snapshot.swing;
+  last_swing_id_.clear();
+  if (!snapshot.swing->pictures || snapshot.swing->pair.analysis.path.empty()) return;
+  auto swing = std::make_shared<AnalyzedSwing>(*snapshot.swing);
+  swing->pictures = make_shared_store(swing->pictures);
+  model_.replay = make_opened("", "Last swing", swing, false);
+  keep_swing(std::move(swing));
+}
+
+void WindowProgram::keep_swing(std::shared_ptr<const AnalyzedSwing> swing) {
+  if (!library_) return;
+  SwingFacts facts;
+  facts.recorded_at = wall_time_now();
+  facts.person = person_.name;
+  facts.coach = model_.coach;
+  facts.view = to_string(swing->student.view);
+  facts.camera = model_.snapshot ? model_.snapshot->source : model_.source;
+  jobs_->start(
+      "Keeping the swing",
+      [this, swing, facts](const Progress& progress) -> Result<JobQueue::Finish> {
+        Result<SwingDraft> draft = library_->begin(facts);
+        if (!draft) return tl::unexpected(draft.error());
+        const Result<std::shared_ptr<const Image>> telling =
+            swing->pictures->picture(telling_picture(*swing));
+        std::string thumbnail;
+        if (telling) {
+          const Image& image = **telling;
+          const int height = std::max(1, kThumbnailWidth_px * image.height / std::max(1, image.width));
+          thumbnail = encode_jpeg(resized(image, kThumbnailWidth_px, height), 85);
+        }
+        for (const auto& deed : std::initializer_list<std::function<Result<void>()>>{
+                 [&] { return draft->add_track(swing->track); },
+                 [&] {
+                   return draft->add_student(swing->student.motion, swing->pair.analysis.student.source);
+                 },
+                 [&] { return draft->add_body(swing->student.body); },
+                 [&] { return draft->add_coach(swing->pair.coach, swing->pair.analysis.coach.source); },
+                 [&] { return draft->add_analysis(swing->pair.analysis); },
+                 [&] { return thumbnail.empty() ? Result<void>() : draft->add_thumbnail(thumbnail); },
+                 [&] { return write_film(*swing, draft->path("film.mp4"), progress); }})
+          if (const Result<void> done = deed(); !done) return tl::unexpected(done.error());
+        const Result<Swing> kept = library_->keep(*std::move(draft), progress);
+        if (!kept) return tl::unexpected(kept.error());
+        return JobQueue::Finish([this, id = kept->id] {
+          last_swing_id_ = id;
+          if (model_.opened && model_.opened->id.empty()) model_.opened->id = id;
+          refresh_swings();
+          tell(ToastKind::Good, "The swing is kept in the library.");
+        });
+      },
+      false);
+}
+
+void WindowProgram::choose_source(const std::string& source, bool is_remembered) {
+  model_.source = source;
+  live_->set_source(source);
+  const bool is_listed = std::any_of(model_.cameras.begin(), model_.cameras.end(),
+                                     [&](const CameraEntry& camera) { return camera.source == source; });
+  if (!is_listed) model_.cameras.push_back({source, source, "As you wrote it", {}});
+  if (!is_remembered) return;
+  memory_->remembered.source = source;
+  memory_->save();
+}
+
+void WindowProgram::choose_coach(const std::string& source) {
+  const bool is_file = std::filesystem::exists(source);
+  Result<Reference> reference = is_file ? references_.add_motion_file(source) : references_.find(source);
+  if (is_file && !reference) reference = references_.find(std::filesystem::path(source).stem().string());
+  if (!reference) return tell(ToastKind::Warning, reference.error().message);
+  Result<Motion> motion = load_reference(references_, reference->source);
+  if (!motion) return tell(ToastKind::Warning, motion.error().message);
+  model_.coach = reference->source;
+  if (is_file) refresh_coaches();
+  live_->runner().request(
+      [motion = *std::move(motion), source = reference->source](CoachPipeline& pipeline) mutable {
+        pipeline.set_coach(std::move(motion), source);
+      });
+  if (person_.coach == reference->source) return;
+  change_person([&](Person& person) { person.coach = reference->source; });
+}
+
+void WindowProgram::take_snapshot() {
+  const std::optional<Frame> frame = live_->runner().newest_frame();
+  if (!frame) return;
+  const Result<std::filesystem::path> path = file_for_now(places_.library / "Pictures", "picture", ".png");
+  if (!path) return tell(ToastKind::Warning, path.error().message);
+  if (const Result<void> written = write_png(*path, *frame->image); !written)
+    return tell(ToastKind::Warning, written.error().message);
+  tell(ToastKind::Good, "Picture kept: " + path->string());
+}
+
+void WindowProgram::record(bool is_on) {
+  if (!is_on) {
+    const Result<std::string> film = live_->stop_recording();
+    return film ? tell(ToastKind::Good, "Session kept: " + *film)
+                : tell(ToastKind::Warning, film.error().message);
+  }
+  const Result<std::filesystem::path> path = file_for_now(places_.library / "Sessions", "session", ".mkv");
+  if (!path) return tell(ToastKind::Warning, path.error().message);
+  if (const Result<void> started = live_->start_recording(path->string()); !started)
+    tell(ToastKind::Warning, started.error().message);
+}
+
+void WindowProgram::refresh_cameras() {
+  model_.cameras.clear();
+  for (FoundCamera& camera : find_cameras())
+    model_.cameras.push_back(
+        {std::move(camera.source), std::move(camera.name), std::move(camera.detail), {}});
+  model_.cameras.push_back({"simulated:swing", "Simulated student, full swing", "No camera needed", {}});
+  model_.cameras.push_back({"simulated:putt", "Simulated student, putt", "No camera needed", {}});
+}
+
+}  // namespace posecoach
