@@ -271,6 +271,22 @@ Result<PictureCoach> coach_in_picture(const LiftedStudent& coach, const LiftedSt
   return PictureCoach{*std::move(motion), std::move(doubts)};
 }
 
+Result<PictureCoach> coach_on_body(const LiftedStudent& coach, const Skeleton& body, Transferer& transferer) {
+  if (!is_landmark_body(body))
+    return fail(ErrorCode::InvalidArgument,
+                "a coach is carried over from pictures to bodies that a camera measured only");
+  // The T-pose from the front shows every bone at its true length; so far away that there is no perspective.
+  constexpr double kFarAway_m = 60, kPictureHeight_m = 3;
+  constexpr int kSize_px = 3000;
+  Result<Motion> rest = Motion::from_positions(body, {MediaTime{}},
+                                               {body.rest_positions().begin(), body.rest_positions().end()});
+  if (!rest) return tl::unexpected(rest.error());
+  const PinholeCamera camera = make_camera_looking_at({0, 1, kFarAway_m}, {0, 1, 0},
+                                                      kPictureHeight_m / kFarAway_m, kSize_px, kSize_px);
+  const LiftedStudent student{*std::move(rest), body, camera, coach.view, 0, 0};
+  return coach_in_picture(coach, student, transferer);
+}
+
 LiftedStudent mirrored(const LiftedStudent& filmed) {
   const Mat3 flip(Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1});
   LiftedStudent result = filmed;

@@ -100,6 +100,28 @@ TEST(PictureCoach, is_compared_like_any_other_coach) {
   EXPECT_FALSE(pair->analysis.timing.empty());
 }
 
+TEST(PictureCoach, on_a_measured_body_stands_as_a_person_of_that_body_would) {
+  const Filmed filmed = film(small_body(), kFaceOn, 50, {});
+  const LiftedStudent other = lifted(film(tall_body(), kFaceOn, 50, {}).track);
+  const auto ratio = make_closed_form_transferer(TransferMethod::Ratio);
+  const auto coach = coach_on_body(other, small_body(), *ratio);
+  ASSERT_TRUE(coach) << coach.error().message;
+  ASSERT_EQ(coach->motion.frame_count(), filmed.truth.frame_count());
+  double apart_m = 0;
+  int count = 0;
+  for (int frame = 0; frame < filmed.truth.frame_count(); frame += 3)
+    for (const Landmark landmark : kLimbs) {
+      const int joint = landmark_joint(landmark);
+      const Vec3 off = (coach->motion.position(frame, joint) - coach->motion.position(frame, 0)) -
+                       (filmed.truth.position(frame, joint) - filmed.truth.position(frame, 0));
+      apart_m += std::hypot(off.x, off.y);
+      ++count;
+    }
+  EXPECT_LT(apart_m / count, 0.05);
+  const Skeleton stick = Skeleton::make({{"pelvis", kNoJoint, {}, HumanoidJoint::Pelvis}}).value();
+  EXPECT_EQ(coach_on_body(other, stick, *ratio).error().code, ErrorCode::InvalidArgument);
+}
+
 TEST(PictureCoach, is_refused_from_another_side_in_words) {
   const LiftedStudent coach = lifted(film(tall_body(), kDownTheLine, 50, {}).track),
                       student = lifted(film(small_body(), kFaceOn, 50, {}).track);
