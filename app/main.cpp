@@ -19,31 +19,10 @@
 #include "app/train_retarget_command.h"
 #include "app/train_transfer_command.h"
 #include "app/transfer_command.h"
+#include "app/usage.h"
 
 namespace posecoach {
 namespace {
-
-// One line: what is wrong with the command line, and where to read how it is right.
-std::string usage_line(const CLI::App* cli, const CLI::Error& error) {
-  std::string help = cli->get_name();
-  for (const CLI::App* at = cli; !at->get_subcommands().empty();) {
-    at = at->get_subcommands().front();
-    help += " " + at->get_name();
-  }
-  return std::string("posecoach: ") + error.what() + "; try: " + help + " --help\n";
-}
-
-// A name out of a broken file may hold anything; the message stays one line.
-std::string one_line(std::string message) {
-  for (char& character : message)
-    if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
-  return message;
-}
-
-int fail_with(const std::string& message) {
-  std::fprintf(stderr, "posecoach: %s\n", one_line(message).c_str());
-  return 1;
-}
 
 int run(int argc, char** argv) {
   CLI::App cli("Virtual Pose Coach: your coach's motion in your own body", "posecoach");

@@ -11,7 +11,7 @@ namespace posecoach {
 namespace {
 
 // As long as the pipeline shows its answer (CoachPipelineOptions).
-constexpr double kReplay_s = CoachPipelineOptions{}.replay_s;
+const double kReplay_s = CoachPipelineOptions{}.replay_s;
 constexpr int kThumbnailWidth_px = 360;
 
 Result<std::filesystem::path> file_for_now(const std::filesystem::path& folder, std::string_view what,
