@@ -4,7 +4,7 @@
 #include "app/bench.h"
 #include "core/body/standard_body.h"
 #include "core/motion/bundled_motion.h"
-#include "core/retarget/retarget.h"
+#include "core/retarget/streamed.h"
 #include "core/retarget/webcam_noise.h"
 
 namespace posecoach {
@@ -54,6 +54,19 @@ Result<void> bench_retarget(const BenchOptions&, std::vector<BenchRow>& rows) {
   network.method = RetargetMethod::Network;
   rows.push_back(
       measure("retarget 300 filmed frames, network", 20, [&] { (void)retarget(filmed, body, network); }));
+  StreamedRetargeter stream(filmed.skeleton(), body, network);
+  const std::vector<double> sure(static_cast<std::size_t>(filmed.joint_count()), 1.0);
+  int next = 0;
+  const auto push = [&] {
+    if (next == filmed.frame_count()) {
+      stream.reset();
+      next = 0;
+    }
+    (void)stream.push(filmed.time(next), filmed.positions(next), sure);
+    ++next;
+  };
+  for (int f = 0; f < 60; ++f) push();  // until its memory is full
+  rows.push_back(measure("retarget a frame of a filmed coach, network, streaming", 200, push));
   return {};
 }
 

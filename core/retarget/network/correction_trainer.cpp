@@ -18,7 +18,7 @@ constexpr int kHeldOutWindows = 32;
 constexpr double kLearningRate = 1.5e-3;
 constexpr double kAverageKeep = 0.995;
 // Of jitter against squared error; about as much as makes both fall alike.
-constexpr double kJitterWeight = 0.04;
+constexpr double kJitterWeight = 0.12;
 // A student's bones are measured, not known.
 constexpr double kMeasuringError = 0.03;
 

@@ -60,7 +60,7 @@ TEST(Analyze, fills_in_sources_method_and_bone_lengths) {
   const Analysis analysis = analyzed(student, coach).analysis;
   EXPECT_EQ(analysis.coach.source, "coach");
   EXPECT_EQ(analysis.student.source, "student");
-  EXPECT_EQ(analysis.retarget_method, "rotation");
+  EXPECT_EQ(analysis.retarget_method, to_string(kDefaultRetargetMethod));
   EXPECT_TRUE(analysis.contacts);
   EXPECT_LT(analysis.bone_length_error_max, 1e-3);
   EXPECT_EQ(analysis.student.frames, student.frame_count());

@@ -6,6 +6,7 @@
 #include "core/motion/bundled_motion.h"
 #include "core/retarget/doubt.h"
 #include "core/retarget/retarget.h"
+#include "core/retarget/streamed.h"
 #include "core/retarget/webcam_noise.h"
 #include "tests/core/retarget/motions.h"
 
@@ -80,6 +81,52 @@ TEST(Network, keeps_bones_and_times_of_filmed_motions_of_any_length) {
     EXPECT_EQ(carried->motion.frame_count(), frames);
     EXPECT_LT(carried->bone_length_error_max, 1e-9);
   }
+}
+
+TEST(StreamedRetargeter, gives_an_exact_coach_the_same_poses_as_the_whole_motion_does) {
+  const Skeleton body = make_standard_body({.height_m = 1.6, .arms = 1.15});
+  const Motion coach = without_rotations(resample(*bundled_motion("swing"), 30)).slice(0, 40);
+  RetargetOptions options;
+  const auto whole = retarget(coach, body, options);
+  ASSERT_TRUE(whole);
+  StreamedRetargeter stream(coach.skeleton(), body, options);
+  const std::vector<double> sure(static_cast<std::size_t>(coach.joint_count()), 1.0);
+  for (int f = 0; f < coach.frame_count(); ++f) {
+    const auto frame = stream.push(coach.time(f), coach.positions(f), sure);
+    ASSERT_TRUE(frame) << frame.error().message;
+    for (int j = 0; j < body.size(); ++j)
+      EXPECT_LT(glm::distance(frame->position(0, j), whole->motion.position(f, j)), 1e-9);
+  }
+  EXPECT_FALSE(stream.push(coach.time(0), coach.positions(0), sure));
+}
+
+TEST(StreamedRetargeter, keeps_the_bones_of_a_student_whose_coach_is_being_filmed) {
+  const Skeleton body = make_standard_body({.height_m = 1.6, .arms = 1.15});
+  const Motion filmed = filmed_swing(5).slice(0, 40);
+  RetargetOptions options;
+  options.method = RetargetMethod::Network;
+  StreamedRetargeter stream(filmed.skeleton(), body, options);
+  for (int f = 0; f < filmed.frame_count(); ++f) {
+    std::vector<double> confidence;
+    for (int j = 0; j < filmed.joint_count(); ++j) confidence.push_back(filmed.confidence(f, j));
+    const auto frame = stream.push(filmed.time(f), filmed.positions(f), confidence);
+    ASSERT_TRUE(frame) << frame.error().message;
+    EXPECT_EQ(frame->time(0), filmed.time(f));
+    EXPECT_LT(bone_length_error(*frame), 1e-9);
+  }
+}
+
+TEST(Network, does_not_depend_on_where_a_motion_was_cut) {
+  const Skeleton body = make_standard_body({.height_m = 1.6, .arms = 1.15});
+  std::mt19937_64 random(4);
+  const Motion filmed = with_webcam_noise(random_motion(make_standard_body(), 360, 12), random);
+  const auto whole = retarget(filmed, body, {.method = RetargetMethod::Network});
+  const auto part = retarget(filmed.slice(40, 320), body, {.method = RetargetMethod::Network});
+  ASSERT_TRUE(whole && part);
+  // Further from the cuts than any smoothing and the network reach.
+  for (int f = 150; f < 210; ++f)
+    for (int j = 0; j < body.size(); ++j)
+      EXPECT_LT(glm::distance(whole->motion.position(f, j), part->motion.position(f - 40, j)), 1e-4);
 }
 
 TEST(Network, is_nearer_to_the_truth_than_geometry_on_filmed_motions) {
