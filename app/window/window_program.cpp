@@ -23,6 +23,7 @@ WindowProgram::WindowProgram(const LiveArguments& arguments)
 
 WindowProgram::~WindowProgram() {
   jobs_.reset();
+  keeping_.reset();
   live_.reset();
 }
 
@@ -37,6 +38,8 @@ Result<void> WindowProgram::start(const LiveArguments& arguments) {
   if (!live) return tl::unexpected(live.error());
   live_ = *std::move(live);
   jobs_ = std::make_unique<JobQueue>([this](const Error& error) { tell(ToastKind::Warning, error.message); });
+  keeping_ =
+      std::make_unique<JobQueue>([this](const Error& error) { tell(ToastKind::Warning, error.message); });
   Result<std::unique_ptr<Library>> library = Library::open(places_.library);
   if (library)
     library_ = *std::move(library);
@@ -80,6 +83,7 @@ void WindowProgram::tell(ToastKind kind, std::string text, std::string action, s
 const WindowModel& WindowProgram::model(double time_s, WindowState& state) {
   time_s_ = time_s;
   (void)jobs_->finish_jobs();
+  (void)keeping_->finish_jobs();
   if (wanted_screen_) state.screen = *std::exchange(wanted_screen_, std::nullopt);
   model_.snapshot = live_->runner().snapshot();
   follow_loop(*model_.snapshot, time_s);
@@ -100,7 +104,7 @@ double WindowProgram::longest_sleep_s(const WindowState& state) const {
   constexpr double kFrame = 1.0 / 60, kLive = 1.0 / 30, kIdle = 0.2;
   if (state.screen == ScreenName::Live) return kLive;
   if (state.screen == ScreenName::Review && state.playback.is_playing) return kFrame;
-  return jobs_->is_busy() || !toasts_.empty() ? 0.05 : kIdle;
+  return jobs_->is_busy() || keeping_->is_busy() || !toasts_.empty() ? 0.05 : kIdle;
 }
 
 void WindowProgram::perform(const Intents& intents, WindowState& state) {

@@ -101,7 +101,8 @@ class WindowProgram {
   std::optional<ScreenName> wanted_screen_;
   bool wants_to_quit_ = false, wants_full_screen_ = false;
   std::unique_ptr<LiveSession> live_;
-  std::unique_ptr<JobQueue> jobs_;  // last: its work uses the above
+  // Last: their work uses the above. Keeping swings never waits for what the user asked for, nor he for it.
+  std::unique_ptr<JobQueue> keeping_, jobs_;
 };
 
 }  // namespace posecoach

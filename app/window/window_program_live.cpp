@@ -96,7 +96,7 @@ void WindowProgram::keep_swing(std::shared_ptr<const AnalyzedSwing> swing) {
   facts.coach = model_.coach;
   facts.view = to_string(swing->student.view);
   facts.camera = model_.snapshot ? model_.snapshot->source : model_.source;
-  jobs_->start(
+  keeping_->start(
       "Keeping the swing",
       [this, swing, facts](const Progress& progress) -> Result<JobQueue::Finish> {
         Result<SwingDraft> draft = library_->begin(facts);

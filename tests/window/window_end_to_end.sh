@@ -83,8 +83,13 @@ shot 06_review
 press Right; press Right; press period; shot 07_stepped
 press d; shot 08_from_the_side
 press space; sleep 1; press space
-press ctrl+3; sleep 1; shot 09_library
-press Right; press Return; sleep 3; shot 10_opened
+# No further swings while this one is looked at.
+press ctrl+1; press Escape; press h; press ctrl+3; sleep 1; shot 09_library
+# The kept swing, opened from its files: the play button is there again, bright.
+press Right; press Return
+is_review() { [ "$(import -window root -crop 12x4+184+446 -resize 1x1! -depth 8 rgb:- | xxd -p | cut -c5-6)" \> "d0" ]; }
+wait_for 120 "opened swing" is_review
+shot 10_opened
 # Export: the report page, by the mouse.
 xdotool mousemove 1206 30 click 1; sleep 1; shot 11_export
 xdotool mousemove 1180 130 click 1

@@ -108,9 +108,14 @@ void draw_replay(const PanelContext& context, const Rect& area) {
       TextStyle::Body, {top.x, top.y + 56, top.width, 24},
       analysis.score.plus_minus >= 0.5 ? "± " + decimal(analysis.score.plus_minus, 0) + " of 100" : "of 100",
       theme.quiet);
+  constexpr double kGood = 85;
+  const bool is_good = analysis.score.percent >= kGood;
   const bool has_advice = !analysis.advice.empty() && analysis.advice.front().kind != AdviceKind::None;
-  ui.text_in(TextStyle::Title, inner.take_top(26, 4), has_advice ? "Change this first" : "Well done",
-             has_advice ? theme.warning : theme.good);
+  ui.text_in(TextStyle::Title, inner.take_top(26, 4),
+             has_advice ? "Change this first"
+             : is_good  ? "Well done"
+                        : "No one thing stands out",
+             has_advice || !is_good ? theme.warning : theme.good);
   Rect bottom = inner.take_bottom(84);
   const std::string words =
       analysis.advice.empty() ? "No clear difference was found." : analysis.advice.front().text;
