@@ -124,14 +124,15 @@ TEST(SimulatedSource, says_which_setting_is_wrong) {
   }
 }
 
-TEST(OpenSource, opens_the_simulated_student_and_refuses_cameras_clearly) {
+TEST(OpenSource, opens_the_simulated_student_and_says_which_camera_is_not_there) {
   const auto student = open_source("simulated:putt?fps=5&size=320x240");
   ASSERT_TRUE(student);
   EXPECT_EQ((*student)->info().width, 320);
   EXPECT_TRUE((*student)->next({}).value().has_value());
-  const auto camera = open_source("camera:/dev/video0");
+  const auto camera = open_source("camera:/dev/no_such_camera");
   ASSERT_FALSE(camera);
-  EXPECT_EQ(camera.error().code, ErrorCode::Unsupported);
+  EXPECT_EQ(camera.error().code, ErrorCode::NotFound);
+  EXPECT_NE(camera.error().message.find("/dev/no_such_camera"), std::string::npos);
   const auto wrong = open_source("simulated:putt?fault=sway");
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().code, ErrorCode::InvalidArgument);

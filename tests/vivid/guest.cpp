@@ -133,7 +133,9 @@ void streams_with_the_drivers_clock() {
   const double expected = static_cast<double>(last.index) / camera->info().nominal_fps;
   check(std::abs(seconds - expected) < 0.1 * expected + 0.05, "numbers and stamps agree on the rate");
   const double age = to_seconds(std::chrono::steady_clock::now() - *last.captured_at);
-  check(age >= 0 && age < 5, "stamps are of our clock");
+  // The driver stamps with the time when a frame was due, which may be a little after it was given.
+  check(age > -1 / camera->info().nominal_fps && age < 5,
+        "stamps are of our clock, not " + std::to_string(age) + " s old");
   std::printf("  60 frames in %.2f s, %llu lost by the driver\n", seconds,
               static_cast<unsigned long long>(camera->statistics().lost));
 }
