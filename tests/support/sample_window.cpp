@@ -4,22 +4,13 @@
 #include <limits>
 #include <map>
 
-#include "app/sample/sample_swing.h"
 #include "core/base/assert.h"
 #include "core/body/landmark_body.h"
 #include "core/image/image_codec.h"
+#include "tests/support/plain_swing.h"
 
 namespace posecoach {
 namespace {
-
-std::shared_ptr<const ReviewSwing> make_review(const char* fault, double height_m) {
-  SampleSwing sample;
-  sample.fault = fault;
-  sample.height_m = height_m;
-  Result<std::shared_ptr<const AnalyzedSwing>> swing = make_sample_swing(sample);
-  POSECOACH_ASSERT(swing.has_value());
-  return make_review_swing(*std::move(swing));
-}
 
 // Pictures as they are asked for, each drawn once.
 PictureLookup pictures_of(std::shared_ptr<const ReviewSwing> review) {
@@ -56,12 +47,12 @@ constexpr int kMoment = 34;
 }  // namespace
 
 std::shared_ptr<const ReviewSwing> sample_review() {
-  static const auto review = make_review("early_extension=10", 1.80);
+  static const auto review = make_review_swing(make_plain_swing("early_extension=10", 1.80));
   return review;
 }
 
 std::shared_ptr<const ReviewSwing> second_review() {
-  static const auto review = make_review("sway=9", 1.66);
+  static const auto review = make_review_swing(make_plain_swing("sway=9", 1.66));
   return review;
 }
 

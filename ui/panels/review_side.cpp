@@ -142,7 +142,7 @@ void draw_advice(const PanelContext& context, const Rect& area) {
              context.theme().text);
   double wanted = 0;
   for (const Advice& advice : analysis.advice) wanted += row_height(ui, advice, inner.width + 12) + 4;
-  constexpr double kMoment = 118;
+  constexpr double kMoment = 38;  // the advice comes before the numbers
   const Rect list = {inner.x - 6, inner.y, inner.width + 12,
                      std::min(wanted, std::max(60.0, inner.height - kMoment))};
   const Rect content = ui.begin_scroll("advice", list, wanted);

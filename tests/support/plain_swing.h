@@ -1,0 +1,14 @@
+// A swing with a fault and all that can be said about it, written down by hand on the authored motions: what
+// shows swings is tested with it, whatever the pose stage and the coaching come to say.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/pipeline/analyzed_swing.h"
+
+namespace posecoach {
+
+std::shared_ptr<const AnalyzedSwing> make_plain_swing(const std::string& fault, double height_m);
+
+}  // namespace posecoach
