@@ -34,6 +34,7 @@ Result<void> bench_vision(const BenchOptions& options, std::vector<BenchRow>& ro
 Result<void> bench_render(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_retarget(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_window(const BenchOptions& options, std::vector<BenchRow>& rows);
+Result<void> bench_session(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_transfer(const BenchOptions& options, std::vector<BenchRow>& rows);
 
 }  // namespace posecoach

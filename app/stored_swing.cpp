@@ -54,10 +54,12 @@ Result<CoachInput> coach_of(const Swing& swing, const std::string& wanted, const
 
 Result<void> add_parts(SwingDraft& draft, const PoseTrack* track, const Motion& student, const Skeleton& body,
                        const AnalyzedPair& pair) {
-  if (track != nullptr)
+  // Without a track the motion itself was imported and is there already, in its own format.
+  if (track != nullptr) {
     if (const Result<void> added = draft.add_track(*track); !added) return added;
-  const std::string& source = pair.analysis.student.source;
-  if (const Result<void> added = draft.add_student(student, source); !added) return added;
+    if (const Result<void> added = draft.add_student(student, pair.analysis.student.source); !added)
+      return added;
+  }
   if (const Result<void> added = draft.add_body(body); !added) return added;
   if (const Result<void> added = draft.add_coach(pair.coach, pair.analysis.coach.source); !added)
     return added;
