@@ -14,6 +14,7 @@ namespace posecoach {
 // A camera of this machine.
 struct FoundCamera {
   std::string source, name, detail;
+  std::vector<PictureMode> modes;  // one a size and format, at its fastest
 };
 std::vector<FoundCamera> find_cameras();
 

@@ -48,7 +48,8 @@ class WindowProgram {
   void follow_loop(const CoachSnapshot& snapshot, double time_s);
   void take_swing(const CoachSnapshot& snapshot);
   void keep_swing(std::shared_ptr<const AnalyzedSwing> swing);
-  void choose_source(const std::string& source, bool is_remembered);
+  void choose_source(const std::string& source, bool is_remembered,
+                     const std::optional<PictureMode>& mode = {});
   void choose_coach(const std::string& source);
   void take_snapshot();
   void record(bool is_on);

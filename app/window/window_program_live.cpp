@@ -132,9 +132,14 @@ void WindowProgram::keep_swing(std::shared_ptr<const AnalyzedSwing> swing) {
       false);
 }
 
-void WindowProgram::choose_source(const std::string& source, bool is_remembered) {
+void WindowProgram::choose_source(const std::string& source, bool is_remembered,
+                                  const std::optional<PictureMode>& mode) {
   model_.source = source;
-  live_->set_source(source);
+  model_.mode = mode;
+  std::string wish;
+  if (mode) wish = "?width=" + std::to_string(mode->width) + "&height=" + std::to_string(mode->height);
+  if (mode && mode->fps > 0) wish += "&fps=" + decimal(mode->fps, 2);
+  live_->set_source(source + wish);
   const bool is_listed = std::any_of(model_.cameras.begin(), model_.cameras.end(),
                                      [&](const CameraEntry& camera) { return camera.source == source; });
   if (!is_listed) model_.cameras.push_back({source, source, "As you wrote it", {}});
@@ -186,7 +191,7 @@ void WindowProgram::refresh_cameras() {
   model_.cameras.clear();
   for (FoundCamera& camera : find_cameras())
     model_.cameras.push_back(
-        {std::move(camera.source), std::move(camera.name), std::move(camera.detail), {}});
+        {std::move(camera.source), std::move(camera.name), std::move(camera.detail), std::move(camera.modes)});
   model_.cameras.push_back({"simulated:swing", "Simulated student, full swing", "No camera needed", {}});
   model_.cameras.push_back({"simulated:putt", "Simulated student, putt", "No camera needed", {}});
 }

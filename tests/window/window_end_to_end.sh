@@ -61,7 +61,7 @@ wait_for() {
 }
 is_shown() { xdotool search --name "Virtual Pose Coach"; }
 # More than half of the live picture's upper part is the simulated student's blue sky.
-has_picture() { [ "$(import -window root -crop 300x60+500+60 -resize 1x1! -depth 8 rgb:- | xxd -p | cut -c5-6)" \> "90" ]; }
+has_picture() { [ "$(import -window root -crop 300x60+500+60 -resize 1x1! -depth 8 rgb:- | od -An -v -tx1 | tr -d " " | cut -c5-6)" \> "90" ]; }
 swings() { find "$POSECOACH_LIBRARY" -path "*/Trash" -prune -o -name swing.json -print 2> /dev/null | wc -l; }
 has_swing() { [ "$(swings)" -ge 1 ]; }
 press() { xdotool key --clearmodifiers "$@"; sleep 0.6; }
@@ -87,7 +87,7 @@ press space; sleep 1; press space
 press ctrl+1; press Escape; press h; press ctrl+3; sleep 1; shot 09_library
 # The kept swing, opened from its files: the play button is there again, bright.
 press Right; press Return
-is_review() { [ "$(import -window root -crop 12x4+184+446 -resize 1x1! -depth 8 rgb:- | xxd -p | cut -c5-6)" \> "d0" ]; }
+is_review() { [ "$(import -window root -crop 12x4+184+446 -resize 1x1! -depth 8 rgb:- | od -An -v -tx1 | tr -d " " | cut -c5-6)" \> "d0" ]; }
 wait_for 120 "opened swing" is_review
 shot 10_opened
 # Export: the report page, by the mouse.
