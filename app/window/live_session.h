@@ -8,6 +8,7 @@
 
 #include "core/pipeline/pipeline_runner.h"
 #include "core/vision/pose_tracker.h"
+#include "ui/screens/intents.h"
 
 namespace posecoach {
 

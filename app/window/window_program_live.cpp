@@ -6,6 +6,7 @@
 #include "capture/video_writer.h"
 #include "core/image/image_codec.h"
 #include "core/session/wall_time.h"
+#include "ui/render/words.h"
 
 namespace posecoach {
 namespace {
@@ -190,8 +191,8 @@ void WindowProgram::record(bool is_on) {
 void WindowProgram::refresh_cameras() {
   model_.cameras.clear();
   for (FoundCamera& camera : find_cameras())
-    model_.cameras.push_back(
-        {std::move(camera.source), std::move(camera.name), std::move(camera.detail), std::move(camera.modes)});
+    model_.cameras.push_back({std::move(camera.source), std::move(camera.name), std::move(camera.detail),
+                              std::move(camera.modes)});
   model_.cameras.push_back({"simulated:swing", "Simulated student, full swing", "No camera needed", {}});
   model_.cameras.push_back({"simulated:putt", "Simulated student, putt", "No camera needed", {}});
 }
