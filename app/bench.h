@@ -30,6 +30,7 @@ BenchRow measure(std::string name, std::size_t n, const std::function<void()>& w
 double milliseconds_of(const std::function<void()>& work);
 
 Result<void> bench_coaching(const BenchOptions& options, std::vector<BenchRow>& rows);
+Result<void> bench_live(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_vision(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_render(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_retarget(const BenchOptions& options, std::vector<BenchRow>& rows);

@@ -29,8 +29,8 @@ std::string json_of(const std::vector<BenchRow>& rows) {
 
 Result<void> run(const BenchOptions& options, const std::string& json) {
   std::vector<BenchRow> rows;
-  for (const auto part : {bench_vision, bench_retarget, bench_transfer, bench_coaching, bench_session,
-                          bench_render, bench_window})
+  for (const auto part : {bench_vision, bench_retarget, bench_transfer, bench_coaching, bench_live,
+                          bench_session, bench_render, bench_window})
     if (const auto done = part(options, rows); !done) return done;
   if (json != "-") print_rows(rows);
   return json.empty() ? Result<void>() : write_file_atomically(json, json_of(rows));

@@ -63,7 +63,9 @@ std::vector<std::string> address_advice(const JointTrack& student, const JointTr
                            const std::string& less) {
     if (is_known && std::abs(off) >= clear) found.push_back({std::abs(off) / clear, off > 0 ? less : more});
   };
-  const bool sees_side = sees_target_direction(view), sees_front = sees_ball_direction(view);
+  // At an angle neither is seen well enough to send somebody about.
+  const bool sees_side = sees_target_direction(view) && view != Viewpoint::Between;
+  const bool sees_front = sees_ball_direction(view) && view != Viewpoint::Between;
   const double stance = his.stance_m - coachs.stance_m;
   compare(sees_side && sees(student, {LeftAnkle, RightAnkle}), stance, kClearStance_m,
           fmt::format("Widen your stance by {:.0f} cm.", -100 * stance),

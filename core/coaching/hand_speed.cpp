@@ -9,8 +9,8 @@ using enum HumanoidJoint;
 
 constexpr double kWindow_s = 0.2;
 constexpr double kGap_s = 0.5;
-// What a webcam's trembling joints of somebody who stands still do not reach.
-constexpr double kStillHands = 0.30, kStillFeet = 0.25;
+// What the filtered joints of somebody who stands still do not reach, and a slow putt does.
+constexpr double kStillHands = 0.12, kStillFeet = 0.20;
 
 }  // namespace
 

@@ -34,9 +34,9 @@ int OnlineWarp::step(const PoseSequence& student) {
   is_first_ = false;
   // Only differences count; a golfer may stand at address for minutes.
   for (double& value : row_) value -= smallest;
-  const auto from = row_.begin() + position_;
-  const auto to = from + std::min<std::ptrdiff_t>(look_ahead_ + 1, row_.end() - from);
-  position_ = static_cast<int>(std::min_element(from, to) - row_.begin());
+  // Towards the best of all that lies ahead, so that a place that only seems good does not hold it back.
+  const auto best = std::min_element(row_.begin() + position_, row_.end());
+  position_ = std::min(position_ + look_ahead_, static_cast<int>(best - row_.begin()));
   return position_;
 }
 

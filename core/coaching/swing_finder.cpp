@@ -29,11 +29,15 @@ constexpr double kFeetLeft = 0.5;
 constexpr double kLeastBack = 0.11, kLargeStroke = 0.7;
 constexpr double kPassesWithin = 0.35;
 constexpr double kLeastThrough = 0.12, kThroughOfBack = 0.4;
-constexpr double kLongestBack_s = 8, kLongestThrough_s = 1.3;
+constexpr double kLongestBack_s = 8, kLongestThrough_s = 1.6;
 // A small stroke that has not come through by then was a waggle.
 constexpr double kLongestWaggle_s = 0.7;
+// A slow rehearsal is slow through the ball; one that stops there is none.
+constexpr double kStopped_s = 0.8;
 constexpr double kFinish_s = 0.25, kFinishWithin = 0.05, kSmallFinishWithin = 0.03;
 constexpr double kFinishHeld = 0.6;
+// A small stroke goes through by this many times its way back at most; more is a backswing after a waggle.
+constexpr double kMostThroughOfBack = 3;
 
 // Between two samples the hands went straight.
 double nearest_to(const Vec3& place, const Vec3& from, const Vec3& to) {
@@ -179,6 +183,12 @@ std::optional<FoundSwing> SwingFinder::go_through() {
   if (glm::length(away) > glm::length(stroke_.through)) stroke_.through = away;
   const double through = glm::length(stroke_.through);
   const bool is_large = back >= kLargeStroke;
+  if (!is_large && through > std::max(kMostThroughOfBack * back, 0.5 * kLargeStroke)) {
+    stroke_.back = stroke_.through;
+    stroke_.begin = near_rest_at_;
+    stroke_.passed_at.reset();
+    return std::nullopt;
+  }
   const bool is_other_side = glm::dot(stroke_.through, stroke_.back) < 0;
   const bool went_through =
       through >= std::max(kLeastThrough, kThroughOfBack * back) && (is_large || is_other_side);
@@ -191,10 +201,10 @@ std::optional<FoundSwing> SwingFinder::go_through() {
     give_up();
     return found;
   }
-  const bool is_back = glm::length(away) < kLeft;
-  if (!went_through && ((rests && is_back) || (!is_large && since_s > kLongestWaggle_s)))
+  const bool has_stopped = rests && glm::length(away) < kLeft && (!is_large || since_s > kStopped_s);
+  if (!went_through && (has_stopped || (!is_large && since_s > kLongestWaggle_s)))
     phase_ = Phase::AtAddress;  // a waggle; the stroke may follow at once
-  else if (rests || since_s > 2 * kLongestThrough_s)
+  else if ((rests && glm::length(away) >= kLeft) || since_s > 2 * kLongestThrough_s)
     give_up();
   return std::nullopt;
 }

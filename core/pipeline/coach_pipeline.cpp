@@ -183,6 +183,8 @@ class CoachPipeline::Implementation {
   }
 
   void take_answers() {
+    // Not in the middle of a swing: the ghost would begin anew.
+    if (ghost_.coach() && loop_.phase() == SwingFinder::Phase::Swinging) return;
     std::optional<Result<PersonalCoach>> personal = personal_.take();
     if (!personal) return;
     coach_message_ = *personal ? std::string() : coach_->source + ": " + personal->error().message;

@@ -4,7 +4,7 @@ namespace posecoach {
 namespace {
 
 // Before the hands leave the address, and after they rest: both rests belong to the swing.
-constexpr double kPreRoll_s = 2.0, kPostRoll_s = 0.25;
+constexpr double kPreRoll_s = 2.5, kPostRoll_s = 0.25;
 constexpr double kGone_s = 0.7;
 // A golfer who has stood at address for so long wants to go on, not to look at the last swing.
 constexpr double kReadyEndsReplay_s = 1.5, kShortestReplay_s = 4;

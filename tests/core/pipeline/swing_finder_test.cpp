@@ -99,6 +99,14 @@ TEST(SwingFinder, waggles_and_walking_about_are_not_swings) {
   }
 }
 
+TEST(SwingFinder, a_waggle_right_before_the_stroke_does_not_hide_it) {
+  for (const double waggle_s : {0.9, 1.3, 1.7, 2.1}) {
+    const GolferFilm film = film_golfer({.parts = {{Stand, 2}, {Waggle, waggle_s}, {Stroke}, {Stand, 1}}},
+                                        face_on_camera(), kWebcamNoise);
+    EXPECT_EQ(find_swings(film).swings.size(), 1U) << waggle_s;
+  }
+}
+
 TEST(SwingFinder, a_pose_stage_of_ten_frames_a_second_is_enough) {
   for (const bool is_face_on : {true, false}) {
     const GolferFilm film =
