@@ -22,11 +22,7 @@ std::vector<FoundCamera> find_cameras() {
     else if (!camera.modes.empty())
       detail += ", up to " + std::to_string(camera.modes.front().width) + " × " +
                 std::to_string(camera.modes.front().height);
-    std::vector<PictureMode> modes;
-    for (const CameraMode& mode : camera.modes)
-      modes.push_back({mode.width, mode.height, mode.frame_rates.empty() ? 0 : mode.frame_rates.front(),
-                       pixel_format_name(mode.pixel_format)});
-    found.push_back({camera.source(), camera.name, detail, std::move(modes)});
+    found.push_back({camera.source(), camera.name, detail, camera.modes});
   }
   return found;
 }

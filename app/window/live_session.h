@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "capture/v4l2/camera_mode.h"
 #include "core/pipeline/pipeline_runner.h"
 #include "core/vision/pose_tracker.h"
-#include "ui/screens/intents.h"
 
 namespace posecoach {
 
 // A camera of this machine.
 struct FoundCamera {
   std::string source, name, detail;
-  std::vector<PictureMode> modes;  // one a size and format, at its fastest
+  std::vector<CameraMode> modes;
 };
 std::vector<FoundCamera> find_cameras();
 

@@ -190,9 +190,14 @@ void WindowProgram::record(bool is_on) {
 
 void WindowProgram::refresh_cameras() {
   model_.cameras.clear();
-  for (FoundCamera& camera : find_cameras())
-    model_.cameras.push_back({std::move(camera.source), std::move(camera.name), std::move(camera.detail),
-                              std::move(camera.modes)});
+  for (FoundCamera& camera : find_cameras()) {
+    std::vector<PictureMode> modes;  // each at its fastest
+    for (const CameraMode& mode : camera.modes)
+      modes.push_back({mode.width, mode.height, mode.frame_rates.empty() ? 0 : mode.frame_rates.front(),
+                       pixel_format_name(mode.pixel_format)});
+    model_.cameras.push_back(
+        {std::move(camera.source), std::move(camera.name), std::move(camera.detail), std::move(modes)});
+  }
   model_.cameras.push_back({"simulated:swing", "Simulated student, full swing", "No camera needed", {}});
   model_.cameras.push_back({"simulated:putt", "Simulated student, putt", "No camera needed", {}});
 }
