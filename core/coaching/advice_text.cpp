@@ -288,7 +288,8 @@ std::string seen_from(Viewpoint view) {
     case Viewpoint::Between:
       break;
   }
-  return "Filmed from an angle: turns are not judged; stand square to the camera for more.";
+  return "Filmed from an angle: only the timing and the height of the head are judged; stand square to the "
+         "camera for more.";
 }
 
 std::string too_few_frames(double frame_rate) {
