@@ -41,7 +41,7 @@ double thread_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Needs a permission that ordinary users rarely have; without it the others' give_way() does the same.
+// Needs a permission that ordinary users rarely have; without it the queue alone keeps the frames.
 void take_priority() {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), -10);
 }
