@@ -89,13 +89,14 @@ void draw_live_screen(const PanelContext& context, const Rect& area) {
   else
     draw_live_picture(context, rest);
   const ThemeScope scope(context.ui, film);
-  draw_notes(context, {rest.x + kStateWide, rest.y + kMargin, rest.width - kStateWide - kSide - 30, 80});
   Rect inner = rest.inset(kMargin);
   if (replays) {
     const double width = std::min(430.0, 0.42 * inner.width);
-    draw_replay(context, inner.take_right(width));
+    draw_replay(context, inner.take_right(width, kMargin));
+    draw_notes(context, inner);
     return;
   }
+  draw_notes(context, {rest.x + kStateWide, rest.y + kMargin, rest.width - kStateWide - kSide - 30, 80});
   draw_state_frame(context, rest);
   const Rect bar = inner.take_bottom(kBar, kMargin);
   Rect right = inner.take_right(std::min(kSide, inner.width));
