@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace posecoach {
 namespace {
@@ -62,6 +63,10 @@ constexpr std::array kEventRows = {
     EventRow{kFace, kPutt, "impact", {-0.027, 0.020}},
 };
 
+// Of the backswing: a student whose top is further from where the coach's is answered turns elsewhere than
+// the coach does, and what was found is nearer to the truth.
+constexpr double kTopMayMove = 0.12;
+
 std::optional<FeatureHabit> row_of(Viewpoint view, StrokeKind kind, std::string_view event, Feature feature) {
   for (const FeatureRow& row : kFeatureRows)
     if (row.view == view && row.kind == kind && row.event == event && row.feature == feature)
@@ -93,7 +98,11 @@ SwingEvents events_put_right(const SwingEvents& found, const SwingEvents& coach,
   SwingEvents right = found;
   const auto habit = [&](std::string_view event) { return event_habit(view, found.kind, event).late_s; };
   for (SwingEvent& event : right.events) {
-    if (event.name == "top") event.time_s = alignment.student_time(coach.time_of("top"));
+    if (event.name == "top") {
+      const double answered = alignment.student_time(coach.time_of("top"));
+      if (std::abs(answered - event.time_s) > kTopMayMove * (event.time_s - found.takeaway_s)) continue;
+      event.time_s = answered;
+    }
     event.time_s -= habit(event.name);
   }
   right.takeaway_s = std::max(0.0, right.takeaway_s - habit("takeaway"));
