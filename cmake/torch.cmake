@@ -21,9 +21,15 @@ posecoach_library(NAME torch_headers SOURCES ${CMAKE_BINARY_DIR}/torch_headers.c
 target_precompile_headers(posecoach_torch_headers PRIVATE <torch/torch.h>)
 set_target_properties(posecoach_torch_headers PROPERTIES EXCLUDE_FROM_ALL ON)
 
+# Under sanitizers these files would take three times as long, for templates of libtorch, which is not built with them
+# either.
+set(TORCH_COMPILE_OPTIONS "$<$<BOOL:${POSECOACH_SANITIZE}>:-fno-sanitize=all;-g0;-O1>")
+target_compile_options(posecoach_torch_headers PRIVATE ${TORCH_COMPILE_OPTIONS})
+
 function(posecoach_use_torch target)
   cmake_parse_arguments(ARG "" "" "WITHOUT" ${ARGN})
   target_link_libraries(${target} PRIVATE posecoach_torch)
+  target_compile_options(${target} PRIVATE ${TORCH_COMPILE_OPTIONS})
   target_precompile_headers(${target} REUSE_FROM posecoach_torch_headers)
   if(ARG_WITHOUT)
     set_source_files_properties(${ARG_WITHOUT} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
