@@ -23,7 +23,10 @@ set_target_properties(posecoach_torch_headers PROPERTIES EXCLUDE_FROM_ALL ON)
 
 # Under sanitizers these files would take three times as long, for templates of libtorch, which is not built with them
 # either.
-set(TORCH_COMPILE_OPTIONS "$<$<BOOL:${POSECOACH_SANITIZE}>:-fno-sanitize=all;-g0;-O1>")
+set(TORCH_COMPILE_OPTIONS)
+if(POSECOACH_SANITIZE)
+  set(TORCH_COMPILE_OPTIONS -fno-sanitize=all -g0 -O1)
+endif()
 target_compile_options(posecoach_torch_headers PRIVATE ${TORCH_COMPILE_OPTIONS})
 
 function(posecoach_use_torch target)
