@@ -39,7 +39,7 @@ TEST(RecordingProof, every_picture_is_in_the_film_while_the_pose_stage_is_ten_ti
       recorder->offer(frame);
     });
     runner.set_source({"simulated:putt?size=320x240&fps=30"});
-    while (frames < 100) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    while (frames < 60) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     skipped = runner.snapshot()->counters.skipped_by_pose;
   }
   const auto status = recorder->finish();
