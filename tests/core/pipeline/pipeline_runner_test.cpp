@@ -160,7 +160,15 @@ TEST(PipelineRunner, missing_numbers_are_counted_as_lost_by_the_camera) {
 }
 
 TEST(PipelineRunner, an_unplugged_camera_is_lost_with_a_message_and_live_again_when_it_is_back) {
-  PipelineRunner runner(quick_estimator(), opener_of({{.fails_after = 30}, {.fails_after = 0}, {}}),
+  PipelineRunner runner(quick_estimator(),
+                        opener_of({{.fails_after = 30},
+                                   {.fails_after = 0},
+                                   {.fails_after = 0},
+                                   {.fails_after = 0},
+                                   {.fails_after = 0},
+                                   {.fails_after = 0},
+                                   {.fails_after = 0},
+                                   {}}),
                         quick_retries());
   runner.set_source({"camera"});
   std::vector<MediaTime> times;
