@@ -55,7 +55,7 @@ constexpr std::array kEventRows = {
     EventRow{kFace, kSwing, "mid_downswing", {-0.028, 0.005}},
     EventRow{kFace, kSwing, "impact", {0, 0.004}},
     EventRow{kLine, kSwing, "takeaway", {0.086, 0.045}},
-    EventRow{kLine, kSwing, "top", {-0.011, 0.017}},
+    EventRow{kLine, kSwing, "top", {-0.023, 0.016}},
     EventRow{kLine, kSwing, "mid_downswing", {-0.006, 0.005}},
     EventRow{kLine, kSwing, "impact", {-0.019, 0.006}},
     EventRow{kFace, kPutt, "takeaway", {-0.043, 0.030}},
@@ -63,15 +63,23 @@ constexpr std::array kEventRows = {
     EventRow{kFace, kPutt, "impact", {-0.027, 0.020}},
 };
 
-// Of the backswing: a student whose top is further from where the coach's is answered turns elsewhere than
-// the coach does, and what was found is nearer to the truth.
-constexpr double kTopMayMove = 0.12;
-
 std::optional<FeatureHabit> row_of(Viewpoint view, StrokeKind kind, std::string_view event, Feature feature) {
   for (const FeatureRow& row : kFeatureRows)
     if (row.view == view && row.kind == kind && row.event == event && row.feature == feature)
       return row.habit;
   return std::nullopt;
+}
+
+// From in front, the hands go on backwards in depth while they seem to turn back already; the whole body
+// knows better. Where it says something quite different, the student's top is another than the coach's, and
+// the hands are believed.
+double top_of(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment,
+              Viewpoint view) {
+  constexpr double kMostShift = 0.2;  // of the backswing
+  const double seen = found.time_of("top");
+  if (view == kLine) return seen;
+  const double answered = alignment.student_time(coach.time_of("top"));
+  return std::abs(answered - seen) < kMostShift * (seen - found.takeaway_s) ? answered : seen;
 }
 
 }  // namespace
@@ -98,11 +106,7 @@ SwingEvents events_put_right(const SwingEvents& found, const SwingEvents& coach,
   SwingEvents right = found;
   const auto habit = [&](std::string_view event) { return event_habit(view, found.kind, event).late_s; };
   for (SwingEvent& event : right.events) {
-    if (event.name == "top") {
-      const double answered = alignment.student_time(coach.time_of("top"));
-      if (std::abs(answered - event.time_s) > kTopMayMove * (event.time_s - found.takeaway_s)) continue;
-      event.time_s = answered;
-    }
+    if (event.name == "top") event.time_s = top_of(found, coach, alignment, view);
     event.time_s -= habit(event.name);
   }
   right.takeaway_s = std::max(0.0, right.takeaway_s - habit("takeaway"));

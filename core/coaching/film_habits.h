@@ -33,9 +33,9 @@ struct EventHabit {
 };
 EventHabit event_habit(Viewpoint view, StrokeKind kind, std::string_view event);
 
-// The events of a student seen by one camera, put right: the top, which the depth of the hands hides, as the
-// alignment answers the coach's where the two are near each other, and every habit taken off. Unchanged where
-// that would put them out of order, and where every side was seen.
+// The events of a student seen by one camera, put right: the top, which the depth of the hands hides from in
+// front, as the alignment answers the coach's, and every habit taken off. Unchanged where that would put them
+// out of order, and where every side was seen.
 SwingEvents events_put_right(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment,
                              const JointTrack& student, Viewpoint view);
 
