@@ -96,6 +96,7 @@ Result<void> export_swing(const Swing& swing, const fs::path& file, const Export
   if (name.ends_with(".body.json")) return copy_kept(swing, "student.body", file, progress);
   if (name.ends_with(".analysis.json")) return copy_kept(swing, "analysis", file, progress);
   AnalyzeOutputs outputs;
+  outputs.palette = options.palette;
   if (name.ends_with(".html")) outputs.report = file.string();
   if (name.ends_with(".overlay.mp4")) outputs.video = file.string();
   if (!outputs.report.empty() || !outputs.video.empty()) return export_drawn(swing, outputs, options);

@@ -7,12 +7,14 @@
 
 #include "app/load_motion.h"
 #include "core/session/library.h"
+#include "ui/render/figure.h"
 
 namespace posecoach {
 
 struct ExportOptions {
   std::string coach;  // for page and drawn film; empty: the one that it was compared with
   LoadOptions load;
+  Palette palette = Palette::RedGreen;  // of page and drawn film
 };
 
 // The kind is told by the end of the name:

@@ -52,6 +52,13 @@ Result<CoachInput> coach_of(const Swing& swing, const std::string& wanted, const
   return CoachInput{source, std::move(motion->motion)};
 }
 
+// The middle where there is no top.
+std::size_t top_picture(const AnalyzedSwing& swing) {
+  for (const SwingEvent& event : swing.pair.analysis.student_events)
+    if (event.name == "top") return static_cast<std::size_t>(std::max(0, event.frame));
+  return swing.track.frames.size() / 2;
+}
+
 Result<void> add_parts(SwingDraft& draft, const PoseTrack* track, const Motion& student, const Skeleton& body,
                        const AnalyzedPair& pair) {
   // Without a track the motion itself was imported and is there already, in its own format.
@@ -102,8 +109,8 @@ Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach
   return StoredAnswer{*std::move(student), *std::move(pair), std::move(input.body)};
 }
 
-Result<std::shared_ptr<const AnalyzedSwing>> load_analyzed_swing(const Swing& swing, const std::string& coach,
-                                                                 const LoadOptions& options) {
+Result<AnalyzedSwing> load_analyzed_swing(const Swing& swing, const std::string& coach,
+                                          const LoadOptions& options) {
   const auto film = swing.file("film");
   if (!film) return fail(ErrorCode::Incomplete, swing.id + ": it has no film to look at");
   Result<StoredAnswer> answer = analyze_stored(swing, coach, options);
@@ -113,8 +120,8 @@ Result<std::shared_ptr<const AnalyzedSwing>> load_analyzed_swing(const Swing& sw
   for (const PoseObservation& frame : seen.track.frames) times.push_back(frame.time);
   Result<std::shared_ptr<PictureStore>> pictures = open_film_pictures(*film, std::move(times));
   if (!pictures) return tl::unexpected(pictures.error());
-  return std::make_shared<const AnalyzedSwing>(AnalyzedSwing{std::move(seen.track), std::move(seen.lifted),
-                                                             std::move(answer->pair), *std::move(pictures)});
+  return AnalyzedSwing{std::move(seen.track), std::move(seen.lifted), std::move(answer->pair),
+                       *std::move(pictures)};
 }
 
 Result<void> add_answer(SwingDraft& draft, const StoredAnswer& answer) {
@@ -132,8 +139,8 @@ Result<void> add_answer(SwingDraft& draft, const AnalyzedSwing& swing) {
     return added;
   const std::size_t pictures = swing.pictures ? swing.pictures->count() : 0;
   if (pictures == 0) return {};
-  // The middle of what was recorded is about the top of the swing.
-  const Result<std::shared_ptr<const Image>> picture = swing.pictures->picture(pictures / 2);
+  const Result<std::shared_ptr<const Image>> picture =
+      swing.pictures->picture(std::min(top_picture(swing), pictures - 1));
   if (!picture) return tl::unexpected(picture.error());
   return add_picture(draft, **picture);
 }

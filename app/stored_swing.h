@@ -29,10 +29,11 @@ Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach
                                     const LoadOptions& options = {});
 
 // The same for the review, with the film's pictures. Errors: Incomplete (no film), and those above.
-Result<std::shared_ptr<const AnalyzedSwing>> load_analyzed_swing(const Swing& swing, const std::string& coach,
-                                                                 const LoadOptions& options = {});
+Result<AnalyzedSwing> load_analyzed_swing(const Swing& swing, const std::string& coach,
+                                          const LoadOptions& options = {});
 
-// Everything that is known about a swing into its draft; the film is the caller's.
+// Everything that is known about a swing into its draft, a small picture of its top too; the film is the
+// caller's.
 Result<void> add_answer(SwingDraft& draft, const StoredAnswer& answer);
 Result<void> add_answer(SwingDraft& draft, const AnalyzedSwing& swing);
 // A small picture for lists.

@@ -17,9 +17,6 @@ namespace posecoach {
 // Lets several threads use one store, one after the other.
 std::shared_ptr<PictureStore> make_shared_store(std::shared_ptr<PictureStore> store);
 
-// The pictures of a film file, read as they are wanted. Errors: those of opening it.
-Result<std::shared_ptr<PictureStore>> open_film_store(const std::string& path, const PoseTrack& track);
-
 class PictureFetcher {
  public:
   explicit PictureFetcher(std::shared_ptr<PictureStore> store);

@@ -152,7 +152,6 @@ void WindowProgram::perform_one(const Intent& intent, WindowState& state) {
               return tell(ToastKind::Warning, saved.error().message);
             choose_person(it.name);
           },
-          [&](const intent::RenamePerson&) {},
           [&](const intent::SetHand& it) { change_person([&](Person& person) { person.hand = it.hand; }); },
           [&](const intent::SetHeight& it) {
             change_person([&](Person& person) { person.height_m = it.height_m; });
@@ -167,7 +166,7 @@ void WindowProgram::perform_one(const Intent& intent, WindowState& state) {
             if (const Result<Swing> changed = library_->change(it.id, change); !changed)
               return tell(ToastKind::Warning, changed.error().message);
             if (model_.opened && model_.opened->id == it.id) model_.opened->is_starred = it.is_starred;
-            refresh_swings();
+            change_card(it.id, [&](SwingCard& card) { card.is_starred = it.is_starred; });
           },
           [&](const intent::SetNotes& it) {
             if (!library_) return;
@@ -175,15 +174,14 @@ void WindowProgram::perform_one(const Intent& intent, WindowState& state) {
             change.notes = it.notes;
             if (const Result<Swing> changed = library_->change(it.id, change); !changed)
               return tell(ToastKind::Warning, changed.error().message);
-            for (SwingCard& card : model_.swings)
-              if (card.id == it.id) card.notes = it.notes;
+            change_card(it.id, [&](SwingCard& card) { card.notes = it.notes; });
           },
           [&](const intent::TrashSwing& it) { trash_swing(it.id, state); },
           [&](const intent::RestoreSwing& it) {
             if (!library_) return;
             if (const Result<Swing> restored = library_->restore(it.id); !restored)
               return tell(ToastKind::Warning, restored.error().message);
-            refresh_swings();
+            change_card(it.id, [](SwingCard& card) { card.is_trashed = false; });
           },
           [&](const intent::MakeReference& it) { make_reference(it.id); },
           [&](const intent::ExportSwing& it) { export_swing(it.id, it.kind); },

@@ -56,7 +56,8 @@ class WindowProgram {
   void refresh_cameras();
 
   // window_program_library.cpp
-  void refresh_swings();
+  void refresh_swings();  // beside the window
+  void change_card(const std::string& id, const std::function<void(SwingCard&)>& change);
   void open_swing(const std::string& id, bool as_second, WindowState& state);
   void import_file(const std::string& path, WindowState& state);
   void export_swing(const std::string& id, ExportKind kind);
@@ -98,7 +99,6 @@ class WindowProgram {
   std::shared_ptr<const Skeleton> saved_body_;
   LoopState last_loop_ = LoopState::Off;
   double replay_until_s_ = 0;
-  std::string wanted_screen_id_;  // a swing that is being opened
   std::optional<ScreenName> wanted_screen_;
   bool wants_to_quit_ = false, wants_full_screen_ = false;
   std::unique_ptr<LiveSession> live_;

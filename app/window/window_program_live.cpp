@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "app/stored_swing.h"
 #include "app/window/live_session.h"
 #include "app/window/memory.h"
 #include "app/window/window_program.h"
@@ -13,7 +14,6 @@ namespace {
 
 // As long as the pipeline shows its answer (CoachPipelineOptions).
 const double kReplay_s = CoachPipelineOptions{}.replay_s;
-constexpr int kThumbnailWidth_px = 360;
 
 Result<std::filesystem::path> file_for_now(const std::filesystem::path& folder, std::string_view what,
                                            std::string_view extension) {
@@ -22,15 +22,6 @@ Result<std::filesystem::path> file_for_now(const std::filesystem::path& folder, 
   if (failed) return fail(ErrorCode::Unreadable, folder.string() + ": cannot be made: " + failed.message());
   const WallTime now = wall_time_now();
   return folder / (day_of(now) + "_" + clock_of(now) + "_" + std::string(what) + std::string(extension));
-}
-
-// The picture in which the swing's answer is seen best: the first advice, else the top of the swing.
-std::size_t telling_picture(const AnalyzedSwing& swing) {
-  const Analysis& analysis = swing.pair.analysis;
-  int picture = swing.student.first_frame;
-  for (const SwingEvent& event : analysis.student_events)
-    if (event.name == "top") picture = event.frame;
-  return static_cast<std::size_t>(std::clamp(picture, 0, static_cast<int>(swing.track.frames.size()) - 1));
 }
 
 Result<void> write_film(const AnalyzedSwing& swing, const std::filesystem::path& path,
@@ -95,32 +86,16 @@ void WindowProgram::keep_swing(std::shared_ptr<const AnalyzedSwing> swing) {
   facts.recorded_at = wall_time_now();
   facts.person = person_.name;
   facts.coach = model_.coach;
-  facts.view = to_string(swing->student.view);
   facts.camera = model_.snapshot ? model_.snapshot->source : model_.source;
   keeping_->start(
       "Keeping the swing",
       [this, swing, facts](const Progress& progress) -> Result<JobQueue::Finish> {
         Result<SwingDraft> draft = library_->begin(facts);
         if (!draft) return tl::unexpected(draft.error());
-        const Result<std::shared_ptr<const Image>> telling =
-            swing->pictures->picture(telling_picture(*swing));
-        std::string thumbnail;
-        if (telling) {
-          const Image& image = **telling;
-          const int height = std::max(1, kThumbnailWidth_px * image.height / std::max(1, image.width));
-          thumbnail = encode_jpeg(resized(image, kThumbnailWidth_px, height), 85);
-        }
-        for (const auto& deed : std::initializer_list<std::function<Result<void>()>>{
-                 [&] { return draft->add_track(swing->track); },
-                 [&] {
-                   return draft->add_student(swing->student.motion, swing->pair.analysis.student.source);
-                 },
-                 [&] { return draft->add_body(swing->student.body); },
-                 [&] { return draft->add_coach(swing->pair.coach, swing->pair.analysis.coach.source); },
-                 [&] { return draft->add_analysis(swing->pair.analysis); },
-                 [&] { return thumbnail.empty() ? Result<void>() : draft->add_thumbnail(thumbnail); },
-                 [&] { return write_film(*swing, draft->path("film.mp4"), progress); }})
-          if (const Result<void> done = deed(); !done) return tl::unexpected(done.error());
+        if (const Result<void> added = add_answer(*draft, *swing); !added)
+          return tl::unexpected(added.error());
+        if (const Result<void> written = write_film(*swing, draft->path("film.mp4"), progress); !written)
+          return tl::unexpected(written.error());
         const Result<Swing> kept = library_->keep(*std::move(draft), progress);
         if (!kept) return tl::unexpected(kept.error());
         return JobQueue::Finish([this, id = kept->id] {

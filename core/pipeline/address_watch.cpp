@@ -8,18 +8,6 @@ namespace {
 constexpr double kWindow_s = 0.5, kEvery_s = 0.5;
 constexpr std::size_t kFewestLooks = 5;
 
-Viewpoint viewpoint_of(View view) {
-  switch (view) {
-    case View::FaceOn:
-      return Viewpoint::FaceOn;
-    case View::DownTheLine:
-      return Viewpoint::DownTheLine;
-    case View::Between:
-      break;
-  }
-  return Viewpoint::Between;
-}
-
 }  // namespace
 
 const std::vector<std::string>& AddressWatch::step(MediaTime time, const LiveStudent& student,

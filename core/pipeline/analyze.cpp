@@ -15,18 +15,6 @@ namespace {
 constexpr double kReachWorthTelling_m = 0.01;
 constexpr double kAddress_s = 0.2;
 
-Viewpoint viewpoint_of(View view) {
-  switch (view) {
-    case View::FaceOn:
-      return Viewpoint::FaceOn;
-    case View::DownTheLine:
-      return Viewpoint::DownTheLine;
-    case View::Between:
-      break;
-  }
-  return Viewpoint::Between;
-}
-
 // Middle of the ankles over a short time before the stroke, and how low they are.
 Vec3 feet_at_address(const JointTrack& track, double address_s) {
   Vec3 sum(0);

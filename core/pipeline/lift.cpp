@@ -175,6 +175,18 @@ View view_of(const Motion& motion, const PinholeCamera& camera, std::span<const 
 
 }  // namespace
 
+Viewpoint viewpoint_of(View view) {
+  switch (view) {
+    case View::FaceOn:
+      return Viewpoint::FaceOn;
+    case View::DownTheLine:
+      return Viewpoint::DownTheLine;
+    case View::Between:
+      break;
+  }
+  return Viewpoint::Between;
+}
+
 std::string_view to_string(View view) {
   switch (view) {
     case View::FaceOn:

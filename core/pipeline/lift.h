@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/body/skeleton.h"
+#include "core/coaching/viewpoint.h"
 #include "core/image/camera.h"
 #include "core/motion/motion.h"
 #include "core/motion/pose_track.h"
@@ -16,6 +17,7 @@ namespace posecoach {
 // line).
 enum class View { FaceOn, DownTheLine, Between };
 std::string_view to_string(View view);  // "face-on", "down-the-line", "between"
+Viewpoint viewpoint_of(View view);
 
 struct LiftOptions {
   std::optional<double> height_m;  // the student's stature; otherwise the pose model's metres count

@@ -10,6 +10,7 @@
 
 #include "capture/bar_code.h"
 #include "capture/video_file.h"
+#include "tests/capture/numbered_film.h"
 #include "tests/capture/sound_film.h"
 #include "tests/support/temporary_folder.h"
 
@@ -17,18 +18,6 @@ namespace posecoach {
 namespace {
 
 namespace fs = std::filesystem;
-
-Image picture(int width, int height, std::uint32_t number) {
-  Image image = Image::black(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      image.pixel(x, y)[0] = static_cast<std::uint8_t>(200 * x / width);
-      image.pixel(x, y)[1] = static_cast<std::uint8_t>(200 * y / height);
-      image.pixel(x, y)[2] = 90;
-    }
-  write_bar_code(image, number);
-  return image;
-}
 
 struct Film {
   std::vector<double> times;
@@ -59,7 +48,7 @@ TEST_F(VideoWriterTest, keeps_every_frame_its_number_and_its_own_time) {
   const std::vector<double> times = {0, 0.0333, 0.0400, 0.1, 0.35, 0.36, 0.40, 0.9, 0.95, 1.0};
   auto writer = VideoWriter::open(path_, {.width = 640, .height = 360}).value();
   for (std::size_t i = 0; i < times.size(); ++i)
-    ASSERT_TRUE(writer->write(picture(640, 360, static_cast<std::uint32_t>(1000 + i)),
+    ASSERT_TRUE(writer->write(numbered_picture(640, 360, static_cast<std::uint32_t>(1000 + i)),
                               media_time_from_seconds(times[i])));
   ASSERT_TRUE(writer->finish());
   const Film film = read_film(path_);
@@ -72,7 +61,7 @@ TEST_F(VideoWriterTest, keeps_every_frame_its_number_and_its_own_time) {
 
 TEST_F(VideoWriterTest, colours_come_back) {
   auto writer = VideoWriter::open(path_, {.width = 320, .height = 240}).value();
-  const Image image = picture(320, 240, 1);
+  const Image image = numbered_picture(320, 240, 1);
   ASSERT_TRUE(writer->write(image, MediaTime()));
   ASSERT_TRUE(writer->finish());
   const Film film = read_film(path_);
@@ -83,8 +72,8 @@ TEST_F(VideoWriterTest, colours_come_back) {
 
 TEST_F(VideoWriterTest, pads_odd_sizes) {
   auto writer = VideoWriter::open(path_, {.width = 321, .height = 241}).value();
-  ASSERT_TRUE(writer->write(picture(321, 241, 5), MediaTime()));
-  ASSERT_TRUE(writer->write(picture(321, 241, 6), media_time_from_seconds(0.1)));
+  ASSERT_TRUE(writer->write(numbered_picture(321, 241, 5), MediaTime()));
+  ASSERT_TRUE(writer->write(numbered_picture(321, 241, 6), media_time_from_seconds(0.1)));
   ASSERT_TRUE(writer->finish());
   const Film film = read_film(path_);
   EXPECT_EQ(film.times.size(), 2U);
@@ -95,7 +84,7 @@ TEST_F(VideoWriterTest, pads_odd_sizes) {
 TEST_F(VideoWriterTest, unfinished_film_leaves_nothing_behind) {
   {
     auto writer = VideoWriter::open(path_, {.width = 320, .height = 240}).value();
-    ASSERT_TRUE(writer->write(picture(320, 240, 1), MediaTime()));
+    ASSERT_TRUE(writer->write(numbered_picture(320, 240, 1), MediaTime()));
   }
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
@@ -103,7 +92,7 @@ TEST_F(VideoWriterTest, unfinished_film_leaves_nothing_behind) {
 TEST_F(VideoWriterTest, old_film_stays_until_the_new_one_is_finished) {
   std::ofstream(path_) << "old";
   auto writer = VideoWriter::open(path_, {.width = 320, .height = 240}).value();
-  ASSERT_TRUE(writer->write(picture(320, 240, 1), MediaTime()));
+  ASSERT_TRUE(writer->write(numbered_picture(320, 240, 1), MediaTime()));
   EXPECT_EQ(fs::file_size(path_), 3U);
   ASSERT_TRUE(writer->finish());
   EXPECT_GT(fs::file_size(path_), 1000U);
@@ -118,9 +107,9 @@ TEST_F(VideoWriterTest, refuses_what_it_cannot_write) {
 
   auto writer = VideoWriter::open(path_, {.width = 320, .height = 240}).value();
   EXPECT_FALSE(writer->finish());  // no pictures
-  ASSERT_TRUE(writer->write(picture(320, 240, 1), media_time_from_seconds(1)));
-  EXPECT_FALSE(writer->write(picture(320, 240, 2), media_time_from_seconds(1)));
-  EXPECT_FALSE(writer->write(picture(322, 240, 2), media_time_from_seconds(2)));
+  ASSERT_TRUE(writer->write(numbered_picture(320, 240, 1), media_time_from_seconds(1)));
+  EXPECT_FALSE(writer->write(numbered_picture(320, 240, 2), media_time_from_seconds(1)));
+  EXPECT_FALSE(writer->write(numbered_picture(322, 240, 2), media_time_from_seconds(2)));
 }
 
 TEST_F(VideoWriterTest, a_pipe_is_refused_and_stays_a_pipe) {
@@ -141,7 +130,7 @@ TEST_F(VideoWriterTest, full_disk_is_an_error_and_leaves_nothing) {
   {
     auto writer = VideoWriter::open(path_, {.width = 640, .height = 360, .quality = 1}).value();
     for (std::uint32_t i = 0; i < 40 && !failed; ++i)
-      failed = !writer->write(picture(640, 360, i * 7919), media_time_from_seconds(i / 30.0));
+      failed = !writer->write(numbered_picture(640, 360, i * 7919), media_time_from_seconds(i / 30.0));
     failed = failed || !writer->finish();
   }
   setrlimit(RLIMIT_FSIZE, &before);
@@ -155,7 +144,7 @@ TEST_F(VideoWriterTest, copies_the_sound_of_another_film_cut_to_length) {
   ASSERT_TRUE(write_sound_film(old, 3.0));
   auto writer = VideoWriter::open(path_, {.width = 320, .height = 240, .sound_from = old}).value();
   for (std::uint32_t i = 0; i < 45; ++i)
-    ASSERT_TRUE(writer->write(picture(320, 240, i), media_time_from_seconds(i / 30.0)));
+    ASSERT_TRUE(writer->write(numbered_picture(320, 240, i), media_time_from_seconds(i / 30.0)));
   ASSERT_TRUE(writer->finish());
   const auto sound = sound_seconds(path_);
   ASSERT_TRUE(sound);
@@ -168,11 +157,11 @@ TEST_F(VideoWriterTest, film_without_sound_to_copy_is_no_error) {
   const fs::path silent = folder_.path() / "silent.mp4";
   {
     auto writer = VideoWriter::open(silent, {.width = 320, .height = 240}).value();
-    ASSERT_TRUE(writer->write(picture(320, 240, 1), MediaTime()));
+    ASSERT_TRUE(writer->write(numbered_picture(320, 240, 1), MediaTime()));
     ASSERT_TRUE(writer->finish());
   }
   auto writer = VideoWriter::open(path_, {.width = 320, .height = 240, .sound_from = silent}).value();
-  ASSERT_TRUE(writer->write(picture(320, 240, 1), MediaTime()));
+  ASSERT_TRUE(writer->write(numbered_picture(320, 240, 1), MediaTime()));
   ASSERT_TRUE(writer->finish());
   EXPECT_FALSE(sound_seconds(path_));
   EXPECT_FALSE(

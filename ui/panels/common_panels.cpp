@@ -144,6 +144,24 @@ void draw_messages(const PanelContext& context, const Rect& area) {
   }
 }
 
+void draw_export_menu(const PanelContext& context, const Rect& area, const std::string& swing_id) {
+  struct Entry {
+    ExportKind kind;
+    Choice choice;
+  };
+  static const std::array<Entry, 5> kEntries = {
+      {{ExportKind::OverlayFilm, {"Film with both skeletons", "MP4"}},
+       {ExportKind::Report, {"Report", "HTML page, for any browser"}},
+       {ExportKind::Csv, {"Joint positions", "CSV table"}},
+       {ExportKind::Bvh, {"Motion", "BVH, for animation programs"}},
+       {ExportKind::Trc, {"Markers", "TRC, for OpenSim"}}}};
+  std::array<Choice, kEntries.size()> choices;
+  for (std::size_t i = 0; i < kEntries.size(); ++i) choices[i] = kEntries[i].choice;
+  const int picked = draw_dropdown(context.ui, "export", area, "Export", choices, -1, Icon::Export);
+  if (picked >= 0)
+    context.want(intent::ExportSwing{swing_id, kEntries[static_cast<std::size_t>(picked)].kind});
+}
+
 void draw_key_sheet(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   const Theme& theme = context.theme();

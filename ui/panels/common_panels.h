@@ -10,6 +10,8 @@ void draw_rail(const PanelContext& context, const Rect& area);
 void draw_messages(const PanelContext& context, const Rect& area);
 // What of the area they cover.
 Rect messages_area(const WindowModel& model, const Rect& area);
+// What a swing can be exported as.
+void draw_export_menu(const PanelContext& context, const Rect& area, const std::string& swing_id);
 void draw_key_sheet(const PanelContext& context, const Rect& area);
 // Where a path is written for those who cannot drop a file.
 void draw_import_dialog(const PanelContext& context, const Rect& area);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/panels/common_panels.h"
 #include "ui/render/words.h"
 #include "ui/screens/key_map.h"
 #include "ui/widgets/controls.h"
@@ -219,13 +220,7 @@ void draw_swing_details(const PanelContext& context, const Rect& area) {
     pair = inner.take_top(36, 8);
     if (draw_button(ui, pair.column(0, 2, 8), {.id = "coach", .words = "Make coach", .icon = Icon::Coach}))
       context.want(intent::MakeReference{card->id});
-    const std::array<Choice, 5> kinds = {{{"Film with both skeletons", "MP4"},
-                                          {"Report", "HTML page, for any browser"},
-                                          {"Joint positions", "CSV table"},
-                                          {"Motion", "BVH, for animation programs"},
-                                          {"Markers", "TRC, for OpenSim"}}};
-    const int kind = draw_dropdown(ui, "export", pair.column(1, 2, 8), "Export", kinds, -1, Icon::Export);
-    if (kind >= 0) context.want(intent::ExportSwing{card->id, static_cast<ExportKind>(kind)});
+    draw_export_menu(context, pair.column(1, 2, 8), card->id);
   }
   if (draw_button(ui, inner.take_bottom(36, 12),
                   {.id = "trash",

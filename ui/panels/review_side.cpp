@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/panels/common_panels.h"
 #include "ui/panels/review_panels.h"
 #include "ui/render/words.h"
 #include "ui/screens/key_map.h"
@@ -165,13 +166,7 @@ void draw_review_header(const PanelContext& context, const Rect& area) {
   const OpenedSwing& swing = *model.opened;
   Rect row = area;
   const auto place = [&](const Button& button) { return row.take_right(button_width(ui, button), 6); };
-  const std::array<Choice, 5> kinds = {{{"Film with both skeletons", "MP4"},
-                                        {"Report", "HTML page, for any browser"},
-                                        {"Joint positions", "CSV table"},
-                                        {"Motion", "BVH, for animation programs"},
-                                        {"Markers", "TRC, for OpenSim"}}};
-  const int kind = draw_dropdown(ui, "export", row.take_right(118, 6), "Export", kinds, -1, Icon::Export);
-  if (kind >= 0) context.want(intent::ExportSwing{swing.id, static_cast<ExportKind>(kind)});
+  draw_export_menu(context, row.take_right(118, 6), swing.id);
   const Button reference{.id = "reference",
                          .words = "Make coach",
                          .icon = Icon::Coach,

@@ -53,9 +53,6 @@ struct ChoosePerson {
 struct AddPerson {
   std::string name;
 };
-struct RenamePerson {
-  std::string id, name;
-};
 struct SetHand {
   Handedness hand = Handedness::Right;
 };
@@ -113,15 +110,16 @@ struct Quit {};
 
 }  // namespace intent
 
-using Intent = std::variant<
-    intent::ArmHandsFree, intent::DisarmHandsFree, intent::MeasureBody, intent::StopMeasuring,
-    intent::SetPace, intent::SetGhostSpeed, intent::LeaveReplay, intent::OpenLastSwing,
-    intent::StartRecording, intent::StopRecording, intent::TakeSnapshot, intent::ChooseSource,
-    intent::RetrySource, intent::RefreshCameras, intent::ChooseCoach, intent::ChoosePerson, intent::AddPerson,
-    intent::RenamePerson, intent::SetHand, intent::SetHeight, intent::OpenSwing, intent::CompareWith,
-    intent::StopComparing, intent::SetStar, intent::SetNotes, intent::TrashSwing, intent::RestoreSwing,
-    intent::MakeReference, intent::ExportSwing, intent::ImportFile, intent::CancelJob, intent::DismissToast,
-    intent::SetLook, intent::SetTextSize, intent::SetSound, intent::ToggleFullScreen, intent::Quit>;
+using Intent =
+    std::variant<intent::ArmHandsFree, intent::DisarmHandsFree, intent::MeasureBody, intent::StopMeasuring,
+                 intent::SetPace, intent::SetGhostSpeed, intent::LeaveReplay, intent::OpenLastSwing,
+                 intent::StartRecording, intent::StopRecording, intent::TakeSnapshot, intent::ChooseSource,
+                 intent::RetrySource, intent::RefreshCameras, intent::ChooseCoach, intent::ChoosePerson,
+                 intent::AddPerson, intent::SetHand, intent::SetHeight, intent::OpenSwing,
+                 intent::CompareWith, intent::StopComparing, intent::SetStar, intent::SetNotes,
+                 intent::TrashSwing, intent::RestoreSwing, intent::MakeReference, intent::ExportSwing,
+                 intent::ImportFile, intent::CancelJob, intent::DismissToast, intent::SetLook,
+                 intent::SetTextSize, intent::SetSound, intent::ToggleFullScreen, intent::Quit>;
 using Intents = std::vector<Intent>;
 
 }  // namespace posecoach
