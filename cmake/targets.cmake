@@ -1,7 +1,9 @@
 # The only ways to make a target. Sources are listed, never globbed.
 #
 #   posecoach_library(NAME body SOURCES a.cpp PUBLIC posecoach_base PRIVATE some::heavy_library)
-#   posecoach_test(NAME body SOURCES a_test.cpp LIBS posecoach_body [LABELS unit])
+#   posecoach_test(NAME body SOURCES a_test.cpp LIBS posecoach_body [LABELS unit] [TORCH])
+#
+# TORCH: the test reads libtorch's headers (posecoach_use_torch), whose precompiled form excludes any other.
 function(posecoach_library)
   cmake_parse_arguments(ARG "" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target posecoach_${ARG_NAME})
@@ -17,11 +19,16 @@ function(posecoach_library)
 endfunction()
 
 function(posecoach_test)
-  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "TORCH" "NAME" "SOURCES;LIBS;LABELS" ${ARGN})
   set(target ${ARG_NAME}_test)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE ${ARG_LIBS} posecoach_test_support posecoach_warnings
     GTest::gmock GTest::gtest_main)
+  # What is tested is optimised fully; optimising the tests too takes longer than they run.
+  target_compile_options(${target} PRIVATE -O1)
+  if(NOT ARG_TORCH)
+    target_precompile_headers(${target} REUSE_FROM posecoach_test_headers)
+  endif()
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
