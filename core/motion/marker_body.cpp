@@ -8,6 +8,7 @@
 #include "core/motion/marker_sets.h"
 #include "core/motion/marker_track.h"
 #include "core/motion/rig.h"
+#include "core/motion/short_list.h"
 
 namespace posecoach {
 namespace {
@@ -16,6 +17,7 @@ using enum HumanoidJoint;
 
 constexpr double kShortestPerson_m = 0.4;  // leg and trunk
 constexpr double kTallestPerson_m = 3.5;
+constexpr std::size_t kMostListed = 8;  // labels in a message
 
 // Labels without a single sighting are as good as none.
 void drop_unseen(MarkerTrack& track) {
@@ -95,13 +97,13 @@ class MarkerBodyBuilder {
       if (checked) return {};
       missing = checked.error().message.substr(0, checked.error().message.find(';'));
     }
-    constexpr std::size_t kMostListed = 60;
-    std::string labels;
-    for (std::size_t m = 0; m < track_.labels.size() && m < kMostListed; ++m)
-      if (!track_.labels[m].empty()) labels += (labels.empty() ? "" : ", ") + track_.labels[m];
-    if (track_.labels.size() > kMostListed) labels += ", ...";
-    return fail(ErrorCode::Incomplete, std::string(file_name_) + ": the markers do not make a body: " +
-                                           missing + "; the labels are " + labels);
+    std::vector<std::string> labels;
+    for (const std::string& label : track_.labels)
+      if (!label.empty()) labels.push_back(label);
+    return fail(ErrorCode::Incomplete,
+                std::string(file_name_) + ": the markers do not make a body: " + missing +
+                    (labels.empty() ? "; no marker is seen in any frame"
+                                    : "; there are the labels " + short_list(labels, kMostListed)));
   }
 
   std::vector<std::size_t> used_markers() const {

@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "core/base/assert.h"
+#include "core/motion/short_list.h"
 
 namespace posecoach {
 namespace {
@@ -277,10 +278,10 @@ std::vector<std::optional<HumanoidJoint>> map_roles_by_name(std::span<const std:
 
 Result<void> check_humanoid(const Skeleton& skeleton) {
   using enum HumanoidJoint;
-  constexpr std::size_t kMostListed = 60;
-  std::string missing;
+  constexpr std::size_t kMostListed = 8;
+  std::vector<std::string> missing, joints;
   const auto need = [&](bool there, std::string_view name) {
-    if (!there) missing += (missing.empty() ? "" : ", ") + std::string(name);
+    if (!there) missing.emplace_back(name);
   };
   need(skeleton.has(Pelvis), to_string(Pelvis));
   need(skeleton.has(Chest) || skeleton.has(Neck), "chest or neck");
@@ -288,12 +289,10 @@ Result<void> check_humanoid(const Skeleton& skeleton) {
                                    LeftHip, LeftKnee, LeftAnkle, RightHip, RightKnee, RightAnkle})
     need(skeleton.has(role), to_string(role));
   if (missing.empty()) return {};
-  std::string found;
-  for (std::size_t j = 0; j < skeleton.joints().size() && j < kMostListed; ++j)
-    found += (found.empty() ? "" : ", ") + skeleton.joints()[j].name;
-  if (skeleton.joints().size() > kMostListed) found += ", ...";
+  for (const Joint& joint : skeleton.joints()) joints.push_back(joint.name);
   return fail(ErrorCode::Incomplete, "this is not a body that can be mapped: no joint was recognised as " +
-                                         missing + "; the joints are " + found);
+                                         short_list(missing, missing.size()) + "; the joints are " +
+                                         short_list(joints, kMostListed));
 }
 
 }  // namespace posecoach

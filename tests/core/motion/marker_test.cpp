@@ -117,6 +117,17 @@ TEST(Markers, labels_that_make_no_body_are_listed) {
   EXPECT_THAT(motion.error().message, HasSubstr("club_1, ball"));
 }
 
+TEST(Markers, of_many_labels_that_make_no_body_the_first_ones_are_listed_and_the_others_counted) {
+  std::vector<std::string> labels;
+  for (int m = 0; m < 60; ++m) labels.push_back("marker" + std::to_string(m));
+  const MarkerTrack track{labels, {MediaTime{}}, std::vector<Vec3>(60), std::vector<char>(60, 1), 1};
+  const auto motion = motion_from_markers("a.c3d", track);
+  ASSERT_FALSE(motion);
+  EXPECT_THAT(motion.error().message, HasSubstr("marker0, marker1"));
+  EXPECT_THAT(motion.error().message, HasSubstr("marker7 and 52 more"));
+  EXPECT_LT(motion.error().message.size(), 200U);
+}
+
 TEST(Trc, a_motion_reads_back_with_names_times_and_gaps) {
   const Motion person = samples::moving_person(20);
   std::vector<Vec3> positions;
