@@ -35,7 +35,12 @@ Result<void> bench_vision(const BenchOptions& options, std::vector<BenchRow>& ro
 Result<void> bench_render(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_retarget(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_window(const BenchOptions& options, std::vector<BenchRow>& rows);
+Result<void> bench_record(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_session(const BenchOptions& options, std::vector<BenchRow>& rows);
 Result<void> bench_transfer(const BenchOptions& options, std::vector<BenchRow>& rows);
+
+// The whole live loop at the film's own pace for so many minutes, the film played again and again: a line and
+// a row for each minute. A queue that grows or memory that leaks shows as a rise.
+Result<void> bench_soak(const BenchOptions& options, double minutes, std::vector<BenchRow>& rows);
 
 }  // namespace posecoach

@@ -27,10 +27,16 @@ std::string json_of(const std::vector<BenchRow>& rows) {
   return answer.dump(1) + "\n";
 }
 
+Result<void> run_soak(const BenchOptions& options, double minutes, const std::string& json) {
+  std::vector<BenchRow> rows;
+  if (const auto done = bench_soak(options, minutes, rows); !done) return done;
+  return json.empty() ? Result<void>() : write_file_atomically(json, json_of(rows));
+}
+
 Result<void> run(const BenchOptions& options, const std::string& json) {
   std::vector<BenchRow> rows;
   for (const auto part : {bench_vision, bench_retarget, bench_transfer, bench_coaching, bench_live,
-                          bench_session, bench_render, bench_window})
+                          bench_record, bench_session, bench_render, bench_window})
     if (const auto done = part(options, rows); !done) return done;
   if (json != "-") print_rows(rows);
   return json.empty() ? Result<void>() : write_file_atomically(json, json_of(rows));
@@ -66,7 +72,18 @@ void add_bench_command(CLI::App& cli, Action& action) {
       ->type_name("FILE");
   command->add_option("--models", options->models, "Folder of the pose networks")->type_name("DIR");
   command->add_option("--json", *json, "Write the table as JSON; - for standard output")->type_name("FILE");
-  command->callback([&action, options, json] { action = [options, json] { return run(*options, *json); }; });
+  auto minutes = std::make_shared<double>(0);
+  command
+      ->add_option(
+          "--soak", *minutes,
+          "Instead: the live loop at the film's own pace, for so many minutes; does lag or memory grow?")
+      ->type_name("MINUTES")
+      ->check(CLI::Range(1.0, 1440.0));
+  command->callback([&action, options, json, minutes] {
+    action = [options, json, minutes] {
+      return *minutes > 0 ? run_soak(*options, *minutes, *json) : run(*options, *json);
+    };
+  });
 }
 
 }  // namespace posecoach

@@ -7,6 +7,7 @@
 #include "app/cameras_command.h"
 #include "app/commands.h"
 #include "app/evaluate_coaching_command.h"
+#include "app/evaluate_live_command.h"
 #include "app/evaluate_pose_command.h"
 #include "app/evaluate_retarget_command.h"
 #include "app/evaluate_transfer_command.h"
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
       cli.add_subcommand("evaluate", "How good the parts are, against data with known answers");
   evaluate->require_subcommand(1);
   add_evaluate_coaching_command(*evaluate, action);
+  add_evaluate_live_command(*evaluate, action);
   add_evaluate_pose_command(*evaluate, action);
   add_evaluate_retarget_command(*evaluate, action);
   add_evaluate_transfer_command(*evaluate, action);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <vector>
 
 #include "app/progress_bar.h"
 #include "capture/open_source.h"
@@ -37,6 +38,33 @@ std::string wall_time_text() {
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
   return text;
 }
+
+// The folder of the recording; what was made for it goes again when it stayed empty.
+class RecordingFolder {
+ public:
+  static Result<std::unique_ptr<RecordingFolder>> make(const fs::path& path) {
+    auto folder = std::unique_ptr<RecordingFolder>(new RecordingFolder);
+    std::error_code failed;
+    for (fs::path part = fs::absolute(path, failed); !failed && !part.empty() && !fs::exists(part, failed);
+         part = part.parent_path())
+      folder->made_.push_back(part);
+    failed.clear();
+    fs::create_directories(path, failed);
+    if (failed)
+      return fail(ErrorCode::Unreadable, "cannot record in " + path.string() + ": " + failed.message());
+    return folder;
+  }
+  // Only folders without anything in them can be removed so.
+  ~RecordingFolder() {
+    std::error_code holds_something;
+    for (const fs::path& part : made_)
+      if (!part.filename().empty() && !fs::remove(part, holds_something)) return;
+  }
+
+ private:
+  RecordingFolder() = default;
+  std::vector<fs::path> made_;  // the innermost first
+};
 
 // What the user sees of a recording while it goes on, and why it ended.
 class Watch {
@@ -140,10 +168,8 @@ void tell_room(const std::string& folder) {
 
 Result<void> record(const Options& options) {
   listen_to_interrupts();
-  std::error_code failed;
-  fs::create_directories(options.folder, failed);
-  if (failed)
-    return fail(ErrorCode::Unreadable, "cannot record in " + options.folder + ": " + failed.message());
+  const auto folder = RecordingFolder::make(options.folder);
+  if (!folder) return tl::unexpected(folder.error());
   tell_room(options.folder);
   const std::string started_at = wall_time_text();
   std::mutex mutex;
