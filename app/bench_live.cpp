@@ -108,8 +108,10 @@ void bench_answer(const Seen& seen, const Motion& coach, std::vector<BenchRow>& 
     Frame frame = seen.frame(i);
     memory.add(frame, {i, frame.time, seen.people[i < 60 ? 0 : i - 60]});
   }
+  const SwingComparison comparison{
+      std::make_shared<const CoachInput>(CoachInput{"bundled:swing", coach}), {}, {}, {}};
   rows.push_back(measure("a swing's answer: lift and analyze", 10, [&] {
-    (void)analyze_swing(memory.cut(MediaTime{}, MediaTime::max(), "bench"), {"bundled:swing", coach}, {}, {});
+    (void)analyze_swing(memory.cut(MediaTime{}, MediaTime::max(), "bench"), comparison);
   }));
   rows.push_back(measure("a picture into the memory of the last seconds, 1280x720", 20,
                          [&] { (void)encode_jpeg(*seen.picture, 85); }));

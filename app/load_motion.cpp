@@ -89,9 +89,11 @@ Result<PoseTrack> see(const std::string& source, SourceKind kind, const LoadOpti
 }  // namespace
 
 Result<PoseTrack> load_pose_track(const std::string& source, const LoadOptions& options) {
-  const auto kind = kind_of(source);
+  const Result<std::string> place = behind_reference(source);
+  if (!place) return tl::unexpected(place.error());
+  const auto kind = kind_of(*place);
   if (!kind) return tl::unexpected(kind.error());
-  return see(source, *kind, options);
+  return see(*place, *kind, options);
 }
 
 Result<LoadedMotion> load_motion(const std::string& source, const LoadOptions& options) {

@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "app/film_pictures.h"
+#include "app/picture_retarget.h"
 #include "core/base/log.h"
 #include "core/body/body_file.h"
 #include "core/body/landmark_body.h"
 #include "core/image/image_codec.h"
 #include "core/motion/motion_file.h"
 #include "core/motion/pose_file.h"
+#include "core/session/places.h"
+#include "core/session/references.h"
 
 namespace posecoach {
 namespace {
@@ -50,6 +53,25 @@ Result<CoachInput> coach_of(const Swing& swing, const std::string& wanted, const
   Result<MotionFile> motion = read_motion_file(*kept);
   if (!motion) return tl::unexpected(motion.error());
   return CoachInput{source, std::move(motion->motion)};
+}
+
+// As it was compared live. Without film or poses of the student, his coach's motion in space counts.
+bool is_picture_reference(const std::string& source) {
+  if (!source.starts_with(kReferencePrefix)) return false;
+  const Result<Reference> reference = References(find_places().references()).find(source);
+  return reference && reference->is_pictures;
+}
+
+Result<StoredAnswer> analyze_with_pictures(const Swing& swing, const std::string& source,
+                                           LoadedMotion student) {
+  const Result<PoseTrack> pictures = load_coach_pictures(source, {});
+  if (!pictures) return tl::unexpected(pictures.error());
+  AnalyzeOptions options;
+  options.hand = swing.facts.hand;
+  Result<AnalyzedPair> pair = analyze_in_picture(*pictures, student, options);
+  if (!pair) return tl::unexpected(pair.error());
+  Skeleton body = student.student->lifted.body;
+  return StoredAnswer{std::move(student), *std::move(pair), std::move(body)};
 }
 
 // The middle where there is no top.
@@ -93,10 +115,12 @@ Result<LoadedMotion> load_student(const Swing& swing, const LoadOptions& options
 
 Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach,
                                     const LoadOptions& options) {
-  Result<CoachInput> coach_input = coach_of(swing, coach, options);
-  if (!coach_input) return tl::unexpected(coach_input.error());
   Result<LoadedMotion> student = load_student(swing, options);
   if (!student) return tl::unexpected(student.error());
+  const std::string& source = coach.empty() ? swing.facts.coach : coach;
+  if (student->student && is_picture_reference(source)) return analyze_with_pictures(swing, source, *student);
+  Result<CoachInput> coach_input = coach_of(swing, coach, options);
+  if (!coach_input) return tl::unexpected(coach_input.error());
   StudentInput input =
       student->student ? student_from_film(student->source, student->student->track, student->student->lifted)
                        : student_from_motion(student->source, student->motion);

@@ -51,6 +51,10 @@ class WindowProgram {
   void choose_source(const std::string& source, bool is_remembered,
                      const std::optional<PictureMode>& mode = {});
   void choose_coach(const std::string& source);
+  // window_program_pictures.cpp: a film or a picture is all there is of him.
+  void look_at_coach(const std::string& file);
+  void choose_filmed_coach(const Reference& reference);
+  void remember_coach(const std::string& source);
   void take_snapshot();
   void record(bool is_on);
   void refresh_cameras();

@@ -6,6 +6,7 @@
 #include "app/window/window_program.h"
 #include "capture/video_writer.h"
 #include "core/image/image_codec.h"
+#include "core/motion/motion_file.h"
 #include "core/session/wall_time.h"
 #include "ui/render/words.h"
 
@@ -126,19 +127,26 @@ void WindowProgram::choose_source(const std::string& source, bool is_remembered,
 
 void WindowProgram::choose_coach(const std::string& source) {
   const bool is_file = std::filesystem::exists(source);
+  const Result<MotionFormat> format = is_file ? motion_format(source) : MotionFormat{};
+  if (!format || (is_file && *format == MotionFormat::PoseTrack)) return look_at_coach(source);
   Result<Reference> reference = is_file ? references_.add_motion_file(source) : references_.find(source);
   if (is_file && !reference) reference = references_.find(std::filesystem::path(source).stem().string());
   if (!reference) return tell(ToastKind::Warning, reference.error().message);
+  if (reference->is_pictures) return choose_filmed_coach(*reference);
   Result<Motion> motion = load_reference(references_, reference->source);
   if (!motion) return tell(ToastKind::Warning, motion.error().message);
-  model_.coach = reference->source;
   if (is_file) refresh_coaches();
   live_->runner().request(
       [motion = *std::move(motion), source = reference->source](CoachPipeline& pipeline) mutable {
         pipeline.set_coach(std::move(motion), source);
       });
-  if (person_.coach == reference->source) return;
-  change_person([&](Person& person) { person.coach = reference->source; });
+  remember_coach(reference->source);
+}
+
+void WindowProgram::remember_coach(const std::string& source) {
+  model_.coach = source;
+  if (person_.coach == source) return;
+  change_person([&](Person& person) { person.coach = source; });
 }
 
 void WindowProgram::take_snapshot() {

@@ -35,7 +35,8 @@ PoseSequence sequence_of(const JointTrack& coach, const std::vector<HumanoidJoin
   for (int frame = 0; frame < coach.frame_count(); ++frame)
     for (std::size_t k = 0; k < joints.size(); ++k) {
       const Vec3 p = coach.position(frame, joints[k]) - coach.position(frame, HumanoidJoint::Pelvis);
-      set_pose(poses, frame, static_cast<int>(k), sight.seen(turned(p, yaw)), 1);
+      set_pose(poses, frame, static_cast<int>(k), sight.seen(turned(p, yaw)),
+               coach.confidence(frame, joints[k]) > 0 ? 1 : kLeastConfidence);
     }
   return poses;
 }

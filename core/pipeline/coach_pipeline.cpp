@@ -50,14 +50,20 @@ class CoachPipeline::Implementation {
     check_set_up(frame, seen->person, student, snapshot);
     look_at_address(frame.time, student, snapshot);
     snapshot.measured_body = measured_body_;
-    snapshot.coach_message = coach_message_;
+    say_what_is_wrong_with_coach(student, snapshot);
     return snapshot;
   }
 
   void set_coach(Motion motion, std::string source) {
     coach_ = std::make_shared<const CoachInput>(CoachInput{std::move(source), std::move(motion)});
-    ghost_.set_coach(nullptr);
-    personalise();
+    filmed_.reset();
+    change_coach();
+  }
+
+  void set_coach(FilmedCoach coach) {
+    filmed_ = std::make_shared<const FilmedCoach>(std::move(coach));
+    coach_.reset();
+    change_coach();
   }
 
   void set_person(Golfer golfer) {
@@ -101,6 +107,12 @@ class CoachPipeline::Implementation {
     PinholeCamera camera;
     std::optional<Ghost> ghost;
   };
+
+  void change_coach() {
+    ghost_.set_coach(nullptr);
+    coach_message_.clear();
+    personalise();
+  }
 
   void lose_student() {
     ghost_.reset();
@@ -175,7 +187,13 @@ class CoachPipeline::Implementation {
 
   void personalise() {
     personal_ = {};
-    if (!coach_ || !body()) return;
+    if (!(coach_ || filmed_) || !body()) return;
+    if (filmed_) {
+      personal_ = Pending<Result<PersonalCoach>>(work_, [coach = filmed_, body = body(), hand = hand()] {
+        return make_personal_coach(*coach, *body, hand);
+      });
+      return;
+    }
     personal_ = Pending<Result<PersonalCoach>>(
         work_, [coach = coach_, body = body(), hand = hand(), retarget = options_.retarget] {
           return make_personal_coach(coach->motion, *body, hand, retarget);
@@ -187,8 +205,21 @@ class CoachPipeline::Implementation {
     if (ghost_.coach() && loop_.phase() == SwingFinder::Phase::Swinging) return;
     std::optional<Result<PersonalCoach>> personal = personal_.take();
     if (!personal) return;
-    coach_message_ = *personal ? std::string() : coach_->source + ": " + personal->error().message;
+    const std::string& source = filmed_ ? filmed_->source : coach_->source;
+    coach_message_ = *personal ? std::string() : source + ": " + personal->error().message;
+    if (*personal && !(*personal)->doubts.empty()) coach_message_ = (*personal)->doubts.front();
     ghost_.set_coach(*personal ? std::make_shared<const PersonalCoach>(std::move(**personal)) : nullptr);
+  }
+
+  // Drawn over another side of the student, what was seen of the coach would mislead.
+  void say_what_is_wrong_with_coach(const std::optional<LiveStudent>& student, CoachSnapshot& snapshot) {
+    snapshot.coach_message = coach_message_;
+    if (!filmed_ || !ghost_.coach() || !student) return;
+    const std::optional<std::string> words = wrong_side(*filmed_, student->view);
+    if (!words) return;
+    snapshot.coach_message = *words;
+    snapshot.ghost.reset();
+    if (held_) held_->ghost.reset();
   }
 
   void measure_body(MediaTime time, CoachSnapshot& snapshot) {
@@ -205,7 +236,7 @@ class CoachPipeline::Implementation {
   void step_loop(const Frame& frame, const PoseObservation& seen, const std::optional<LiveStudent>& student,
                  CoachSnapshot& snapshot) {
     const auto before = loop_.swing();
-    SwingComparison comparison{coach_, {}, {}};
+    SwingComparison comparison{coach_, filmed_, {}, {}};
     comparison.lift.height_m = golfer_.height_m;
     if (measured_body_) comparison.lift.body = *measured_body_;
     comparison.options.hand = golfer_.hand;
@@ -267,7 +298,8 @@ class CoachPipeline::Implementation {
   std::optional<MediaTime> seen_since_;
   std::optional<Held> held_;
 
-  std::shared_ptr<const CoachInput> coach_;
+  std::shared_ptr<const CoachInput> coach_;  // or
+  std::shared_ptr<const FilmedCoach> filmed_;
   Pending<Result<PersonalCoach>> personal_;
   std::string coach_message_;
   GhostDriver ghost_;
@@ -289,6 +321,9 @@ Result<CoachSnapshot> CoachPipeline::step(const Frame& frame) {
 }
 void CoachPipeline::set_coach(Motion motion, std::string source) {
   implementation_->set_coach(std::move(motion), std::move(source));
+}
+void CoachPipeline::set_coach(FilmedCoach coach) {
+  implementation_->set_coach(std::move(coach));
 }
 void CoachPipeline::set_person(Golfer golfer) {
   implementation_->set_person(std::move(golfer));

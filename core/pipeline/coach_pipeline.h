@@ -13,6 +13,7 @@
 #include "core/pipeline/analyze.h"
 #include "core/pipeline/background_work.h"
 #include "core/pipeline/coach_snapshot.h"
+#include "core/pipeline/filmed_coach.h"
 #include "core/pipeline/pose_estimator.h"
 
 namespace posecoach {
@@ -45,6 +46,8 @@ class CoachPipeline {
 
   // `source` is what the analysis calls him. Without a coach there is no ghost, and swings are not analysed.
   void set_coach(Motion motion, std::string source);
+  // Of whom there are only pictures: he is carried over across the view alone.
+  void set_coach(FilmedCoach coach);
   void set_person(Golfer golfer);
   // Stand still for a few seconds, best with the arms to the sides. Again: from the start.
   void start_measuring();

@@ -87,7 +87,8 @@ struct CoachSnapshot {
   std::optional<BodyPose> student;      // lifted into the camera's world
   std::optional<PinholeCamera> camera;  // while there is a student
   std::optional<Ghost> ghost;
-  std::string coach_message;  // why the coach cannot be shown in the student's body; usually empty
+  // Why the coach cannot be shown in the student's body, or what of him is not; usually empty.
+  std::string coach_message;
   std::vector<SetUpCheck> checks;
   // Posture against the coach's at address, in the golfer's words; empty where there is nothing to say.
   std::vector<std::string> address_advice;

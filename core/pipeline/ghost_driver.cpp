@@ -101,7 +101,11 @@ void GhostDriver::place(MediaTime time, const JointMoment& student, const HandSp
 
 double GhostDriver::coach_time(MediaTime time, const JointMoment& student, const Sight& sight) {
   if (pace_ == Pace::Play) return play(time);
-  return follow_->step(time, student, yaw_of(coach_->axes.front, front_), sight);
+  return follow_->step(time, student, yaw(), sight);
+}
+
+double GhostDriver::yaw() const {
+  return coach_->is_flat ? 0.0 : yaw_of(coach_->axes.front, front_);
 }
 
 double GhostDriver::play(MediaTime time) {
@@ -113,11 +117,10 @@ double GhostDriver::play(MediaTime time) {
 
 Ghost GhostDriver::ghost_at(double coach_time_s) const {
   Ghost ghost;
-  const double yaw = yaw_of(coach_->axes.front, front_);
   ghost.body.skeleton = coach_->body;
   for (const Vec3& p : coach_->positions(coach_time_s))
-    ghost.body.positions.push_back(turned(p - coach_->feet, yaw) + *feet_);
-  ghost.body.confidence.assign(ghost.body.positions.size(), 1.0);
+    ghost.body.positions.push_back(turned(p - coach_->feet, yaw()) + *feet_);
+  ghost.body.confidence = coach_->confidence(coach_time_s);
   ghost.coach_frame = coach_->track.nearest_frame(coach_time_s);
   const double duration = coach_->track.duration();
   ghost.fraction = duration > 0 ? std::clamp(coach_time_s / duration, 0.0, 1.0) : 0.0;
@@ -130,7 +133,8 @@ void GhostDriver::add_closeness(Ghost& ghost, const JointMoment& student, const 
   const double forearm = std::max(0.1, wrist == kNoJoint ? 0.25 : body.bone_length(wrist));
   for (const HumanoidJoint joint : kHumanoidJoints) {
     const int j = body.find(joint);
-    const bool is_known = j != kNoJoint && student.confidence(joint) >= kLeastConfidence;
+    const bool is_known = j != kNoJoint && student.confidence(joint) >= kLeastConfidence &&
+                          ghost.body.confidence[static_cast<std::size_t>(j)] >= kLeastConfidence;
     const double apart =
         is_known
             ? glm::length(sight.seen(student.at(joint) - ghost.body.positions[static_cast<std::size_t>(j)]))

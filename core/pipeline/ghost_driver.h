@@ -31,6 +31,8 @@ class GhostDriver {
 
  private:
   void place(MediaTime time, const JointMoment& student, const HandSpeed& hands);
+  // By how much the coach is turned to face as the student does.
+  double yaw() const;
   double coach_time(MediaTime time, const JointMoment& student, const Sight& sight);
   double play(MediaTime time);
   Ghost ghost_at(double coach_time_s) const;

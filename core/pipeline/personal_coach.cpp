@@ -17,6 +17,20 @@ std::optional<SwingEvents> stroke_of(const Motion& motion) {
   return events ? std::optional(*std::move(events)) : std::nullopt;
 }
 
+Result<PersonalCoach> personal_coach(Motion motion, const std::optional<SwingEvents>& events) {
+  Result<JointTrack> track = JointTrack::from_motion(motion);
+  if (!track) return tl::unexpected(track.error());
+  const TimeWindow stroke = events ? TimeWindow{events->events.front().time_s, events->events.back().time_s}
+                                   : TimeWindow{0, track->duration()};
+  PersonalCoach made{std::move(motion), nullptr, *std::move(track), stroke, {}, {}, {}};
+  made.body = std::make_shared<const Skeleton>(made.motion.skeleton());
+  if (events) made.kind = events->kind;
+  const JointTrack address = made.address();
+  made.feet = middle_of(address, 0, HumanoidJoint::LeftAnkle, HumanoidJoint::RightAnkle);
+  made.axes = body_axes(address, 0, 0);
+  return made;
+}
+
 }  // namespace
 
 std::vector<Vec3> PersonalCoach::positions(double time_s) const {
@@ -29,8 +43,21 @@ std::vector<Vec3> PersonalCoach::positions(double time_s) const {
   return result;
 }
 
+std::vector<double> PersonalCoach::confidence(double time_s) const {
+  std::vector<double> result(static_cast<std::size_t>(motion.joint_count()), 1.0);
+  const int frame = track.nearest_frame(time_s);
+  for (int j = 0; is_flat && j < motion.joint_count(); ++j)
+    result[static_cast<std::size_t>(j)] = motion.confidence(frame, j);
+  return result;
+}
+
 JointTrack PersonalCoach::address() const {
   return track.averaged(stroke.begin_s - kAddress_s, stroke.begin_s);
+}
+
+Result<PersonalCoach> personal_coach_from(Motion motion) {
+  const std::optional<SwingEvents> events = stroke_of(motion);
+  return personal_coach(std::move(motion), events);
 }
 
 Result<PersonalCoach> make_personal_coach(const Motion& coach, const Skeleton& body, Handedness hand,
@@ -47,18 +74,7 @@ Result<PersonalCoach> make_personal_coach(const Motion& coach, const Skeleton& b
     if (!carried) return tl::unexpected(carried.error());
     personal = std::move(carried->motion);
   }
-  Motion motion = is_left ? mirrored(*personal) : *std::move(personal);
-  Result<JointTrack> track = JointTrack::from_motion(motion);
-  if (!track) return tl::unexpected(track.error());
-  const TimeWindow stroke = events ? TimeWindow{events->events.front().time_s, events->events.back().time_s}
-                                   : TimeWindow{0, track->duration()};
-  PersonalCoach made{std::move(motion), nullptr, *std::move(track), stroke, {}, {}, {}};
-  made.body = std::make_shared<const Skeleton>(made.motion.skeleton());
-  if (events) made.kind = events->kind;
-  const JointTrack address = made.address();
-  made.feet = middle_of(address, 0, HumanoidJoint::LeftAnkle, HumanoidJoint::RightAnkle);
-  made.axes = body_axes(address, 0, 0);
-  return made;
+  return personal_coach(is_left ? mirrored(*personal) : *std::move(personal), events);
 }
 
 }  // namespace posecoach

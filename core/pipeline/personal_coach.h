@@ -2,6 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/body/mirror.h"
@@ -22,12 +25,20 @@ struct PersonalCoach {
   Vec3 feet;          // middle of the ankles at address
   BodyAxes axes;      // at address
   std::optional<StrokeKind> kind;
+  // Known across the coach's view alone, +Z of his world towards the camera: never turned about.
+  bool is_flat = false;
+  std::vector<std::string> doubts = {};  // what of him could not be known, for people
 
   // The joints at a time of the track, straight between the two nearest frames.
   std::vector<Vec3> positions(double time_s) const;
+  // Of each joint then: below 1 only where the coach is flat.
+  std::vector<double> confidence(double time_s) const;
   // One frame: the mean over the moments before the stroke.
   JointTrack address() const;
 };
+
+// Of a motion that is in the student's body already, of his hand. Errors: a motion that coaching cannot use.
+Result<PersonalCoach> personal_coach_from(Motion motion);
 
 // Errors: those of retarget(), and a motion that coaching cannot use.
 Result<PersonalCoach> make_personal_coach(const Motion& coach, const Skeleton& body, Handedness hand,

@@ -1,6 +1,8 @@
 #include "core/pipeline/picture_coach.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/base/assert.h"
@@ -281,7 +283,11 @@ Result<PictureCoach> coach_on_body(const LiftedStudent& coach, const Skeleton& b
   Result<Motion> rest = Motion::from_positions(body, {MediaTime{}},
                                                {body.rest_positions().begin(), body.rest_positions().end()});
   if (!rest) return tl::unexpected(rest.error());
-  const PinholeCamera camera = make_camera_looking_at({0, 1, kFarAway_m}, {0, 1, 0},
+  // Held as the coach's is: so his picture's plane does not stand upright in the world where his camera looks
+  // down on him.
+  const Vec3 sight = Vec3{0, 0, 1} * coach.camera.rotation_camera_from_world;
+  const Vec3 towards = glm::normalize(Vec3{0, -sight.y, std::hypot(sight.x, sight.z)});
+  const PinholeCamera camera = make_camera_looking_at(Vec3{0, 1, 0} + kFarAway_m * towards, {0, 1, 0},
                                                       kPictureHeight_m / kFarAway_m, kSize_px, kSize_px);
   const LiftedStudent student{*std::move(rest), body, camera, coach.view, 0, 0};
   return coach_in_picture(coach, student, transferer);

@@ -26,8 +26,8 @@ Result<PictureCoach> coach_in_picture(const LiftedStudent& coach, const LiftedSt
                                       Transferer& transferer);
 
 // The same for a student whose body was measured, whatever picture he will be drawn on: for the live picture.
-// In a world of the coach's camera, the feet on the floor at the origin. Errors: InvalidArgument (a body that
-// is no webcam body), and those above.
+// In a world whose +Z is towards the coach's camera, the feet on the floor at the origin. Errors:
+// InvalidArgument (a body that is no webcam body), and those above.
 Result<PictureCoach> coach_on_body(const LiftedStudent& coach, const Skeleton& body, Transferer& transferer);
 
 // The person in a mirror: what a right-handed coach's film shows a left-handed student.

@@ -11,12 +11,13 @@ constexpr double kReadyEndsReplay_s = 1.5, kShortestReplay_s = 4;
 
 }  // namespace
 
-Result<AnalyzedSwing> analyze_swing(SwingMemory::Cut cut, const CoachInput& coach,
-                                    const LiftOptions& lift_options, const AnalyzeOptions& options) {
-  Result<LiftedStudent> student = lift(cut.track, lift_options);
+Result<AnalyzedSwing> analyze_swing(SwingMemory::Cut cut, const SwingComparison& comparison) {
+  Result<LiftedStudent> student = lift(cut.track, comparison.lift);
   if (!student) return tl::unexpected(student.error());
+  const StudentInput input = student_from_film(cut.track.source, cut.track, *student);
   Result<AnalyzedPair> pair =
-      analyze(student_from_film(cut.track.source, cut.track, *student), coach, options);
+      comparison.filmed ? analyze_in_picture(*comparison.filmed, input, *student, comparison.options)
+                        : analyze(input, *comparison.coach, comparison.options);
   if (!pair) return tl::unexpected(pair.error());
   return AnalyzedSwing{std::move(cut.track), *std::move(student), *std::move(pair), std::move(cut.pictures)};
 }
@@ -70,15 +71,13 @@ void SwingLoop::step(const Frame& frame, const PoseObservation& seen,
 
 void SwingLoop::begin_analysis(const SwingComparison& comparison, const std::string& source) {
   const FoundSwing found = *std::exchange(found_, std::nullopt);
-  if (!comparison.coach) {
+  if (!comparison.coach && !comparison.filmed) {
     message_ = "A swing was seen. Choose a coach to have it compared.";
     return;
   }
   SwingMemory::Cut cut = memory_.cut(found.begin - duration_from_seconds(kPreRoll_s),
                                      found.end + duration_from_seconds(kPostRoll_s), source);
-  pending_.emplace_back(work_, [cut = std::move(cut), comparison] {
-    return analyze_swing(cut, *comparison.coach, comparison.lift, comparison.options);
-  });
+  pending_.emplace_back(work_, [cut = std::move(cut), comparison] { return analyze_swing(cut, comparison); });
 }
 
 void SwingLoop::take_answer(MediaTime now) {

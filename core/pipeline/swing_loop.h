@@ -9,17 +9,19 @@
 #include "core/pipeline/analyzed_swing.h"
 #include "core/pipeline/background_work.h"
 #include "core/pipeline/coach_snapshot.h"
+#include "core/pipeline/filmed_coach.h"
 #include "core/pipeline/swing_memory.h"
 
 namespace posecoach {
 
 // The same lift() and analyze() as for a film.
-Result<AnalyzedSwing> analyze_swing(SwingMemory::Cut cut, const CoachInput& coach, const LiftOptions& lift,
-                                    const AnalyzeOptions& options);
+struct SwingComparison;
+Result<AnalyzedSwing> analyze_swing(SwingMemory::Cut cut, const SwingComparison& comparison);
 
 // What a swing is compared with; asked for when one is found.
 struct SwingComparison {
-  std::shared_ptr<const CoachInput> coach;  // null: swings are found, not analysed
+  std::shared_ptr<const CoachInput> coach;
+  std::shared_ptr<const FilmedCoach> filmed;  // in his place; neither: swings are found, not analysed
   LiftOptions lift;
   AnalyzeOptions options;
 };

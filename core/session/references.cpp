@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "core/base/file.h"
 #include "core/motion/bundled_motion.h"
 #include "core/motion/motion_file.h"
 #include "core/motion/pose_file.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr const char* kFacts = "reference.json";
 constexpr const char* kMotion = "motion.pose.json";
+constexpr const char* kPictures = "pictures.pose.json";
 constexpr std::string_view kBundledPrefix = "bundled:";
 
 std::vector<Reference> bundled_references() {
@@ -35,7 +37,9 @@ Reference read_reference(const fs::path& folder) {
   Reference reference;
   reference.name = folder.filename().string();
   reference.source = std::string(kReferencePrefix) + reference.name;
-  reference.motion = folder / kMotion;
+  std::error_code failed;
+  reference.is_pictures = fs::is_regular_file(folder / kPictures, failed);
+  reference.motion = folder / (reference.is_pictures ? kPictures : kMotion);
   const std::string file = (folder / kFacts).string();
   const Result<PlainJson> json = read_plain_json(file);
   const Result<int> version =
@@ -50,7 +54,6 @@ Reference read_reference(const fs::path& folder) {
   if (const auto hand = fields.choice("hand", {"right", "left"}))
     reference.hand = *hand == 0 ? Handedness::Right : Handedness::Left;
   fields.read("origin", reference.origin);
-  std::error_code failed;
   if (const Result<void> checked = fields.checked(); !checked)
     reference.unreadable = checked.error().message;
   else if (!fs::is_regular_file(reference.motion, failed))
@@ -122,14 +125,39 @@ Result<Reference> References::add_motion_file(const fs::path& file, std::string 
 }
 
 Result<Reference> References::add_motion(const Motion& motion, Reference facts) {
+  facts.is_pictures = false;
+  return add(pose_json_from_motion(motion, facts.origin), facts);
+}
+
+Result<Reference> References::add_pictures(PoseTrack pictures) {
+  const fs::path source = pictures.source;
+  Reference facts;
+  facts.origin = source.filename().string();
+  facts.is_pictures = true;
+  // From whatever place: the same picture.
+  pictures.source = facts.origin;
+  const std::string seen = pose_json_from_track(pictures);
+  constexpr int kMostOfOneName = 100;
+  Result<Reference> added = fail(ErrorCode::InvalidArgument, "");
+  for (int number = 1; number <= kMostOfOneName; ++number) {
+    facts.name = source.stem().string() + (number > 1 ? " " + std::to_string(number) : "");
+    const Reference old = read_reference(folder_ / file_name_from(facts.name));
+    if (old.unreadable.empty() && old.is_pictures && read_file(old.motion) == seen) return old;
+    added = add(seen, facts);
+    if (added || added.error().code != ErrorCode::InvalidArgument) break;
+  }
+  return added;
+}
+
+Result<Reference> References::add(const std::string& pose_json, const Reference& facts) {
   const std::string folder_name = file_name_from(facts.name);
   const fs::path place = folder_ / folder_name, drafts = folder_ / ".unfinished";
   for (const AbandonedDraft& draft : abandoned_drafts(drafts))
     if (remove_folder(disk_, draft.path)) forget_draft(disk_, draft.path);
   const Result<DraftFolder> draft = DraftFolder::make(disk_, drafts, DraftKind::Purged);
   if (!draft) return tl::unexpected(draft.error());
-  const std::string text = pose_json_from_motion(motion, facts.origin);
-  if (const Result<void> stored = store_file(disk_, draft->path() / kMotion, text); !stored)
+  const fs::path file = draft->path() / (facts.is_pictures ? kPictures : kMotion);
+  if (const Result<void> stored = store_file(disk_, file, pose_json); !stored)
     return tl::unexpected(stored.error());
   if (const Result<void> stored = store_file(disk_, draft->path() / kFacts, facts_text(facts)); !stored)
     return tl::unexpected(stored.error());
@@ -159,6 +187,9 @@ Result<Motion> load_reference(const References& references, std::string_view sou
   if (source.starts_with(kBundledPrefix)) return bundled_motion(source.substr(kBundledPrefix.size()));
   const Result<Reference> reference = references.find(source);
   if (!reference) return tl::unexpected(reference.error());
+  if (reference->is_pictures)
+    return fail(ErrorCode::Unsupported,
+                reference->name + ": there are only pictures of this coach, no motion");
   Result<MotionFile> motion = read_motion_file(reference->motion);
   if (!motion) return tl::unexpected(motion.error());
   return std::move(motion->motion);

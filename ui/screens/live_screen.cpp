@@ -59,6 +59,8 @@ void draw_notes(const PanelContext& context, Rect area) {
   if (context.model.is_simulated)
     note("Nobody real: the simulated student plays. Choose a camera in Set-up.", Icon::Information,
          theme.text);
+  if (context.model.snapshot && !context.model.snapshot->coach_message.empty())
+    note(context.model.snapshot->coach_message, Icon::Information, theme.text);
   if (context.model.snapshot && !context.model.snapshot->swing_message.empty())
     note(context.model.snapshot->swing_message, Icon::Warning, theme.warning);
 }

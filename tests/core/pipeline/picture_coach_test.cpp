@@ -6,8 +6,8 @@
 
 #include "core/pipeline/analyze_picture.h"
 #include "core/transfer/closed_form.h"
+#include "tests/core/pipeline/bodies.h"
 #include "tests/core/pipeline/filmed.h"
-#include "tests/core/retarget/motions.h"
 
 namespace posecoach {
 namespace {
@@ -21,26 +21,6 @@ LiftedStudent lifted(const PoseTrack& track) {
   Result<LiftedStudent> student = lift(track);
   EXPECT_TRUE(student.has_value()) << (student ? "" : student.error().message);
   return *std::move(student);
-}
-
-Skeleton body_with(double size, double arms, double legs) {
-  const Skeleton plain = test_landmark_body(size);
-  LandmarkBodyLengths lengths{};
-  for (int joint = 0; joint < plain.size(); ++joint)
-    lengths[static_cast<std::size_t>(joint)] = plain.bone_length(joint);
-  lengths[0] = 0;
-  for (const auto& [landmark, factor] :
-       {std::pair{Landmark::LeftElbow, arms}, std::pair{Landmark::LeftWrist, arms},
-        std::pair{Landmark::LeftKnee, legs}, std::pair{Landmark::LeftAnkle, legs}})
-    for (const Landmark side : {landmark, mirrored(landmark)})
-      lengths[static_cast<std::size_t>(landmark_joint(side))] *= factor;
-  return make_landmark_body(lengths);
-}
-Skeleton tall_body() {
-  return body_with(1.1, 0.9, 1.2);
-}
-Skeleton small_body() {
-  return body_with(0.95, 1.15, 0.9);
 }
 
 // Mean distance in the student's picture between the carried coach and the student, hips in one place.

@@ -9,6 +9,7 @@
 #include "core/base/file.h"
 #include "core/motion/bundled_motion.h"
 #include "core/motion/motion_file.h"
+#include "core/motion/pose_file.h"
 #include "core/session/motion_table.h"
 #include "tests/core/session/swings.h"
 #include "tests/core/session/test_disks.h"
@@ -68,6 +69,25 @@ TEST_F(ReferencesTest, a_swing_becomes_a_coach_with_one_call) {
   EXPECT_EQ(references_.find("søren, 2026-06-01 12:02")->source, reference.source);
   ASSERT_TRUE(references_.remove(reference.source));
   EXPECT_THAT(references_.list(), SizeIs(bundled_motion_names().size()));
+}
+
+TEST_F(ReferencesTest, a_picture_becomes_a_coach_and_the_same_one_when_it_comes_again) {
+  PoseTrack picture{"/pictures/Pro at the top.jpg", 640, 480, {PoseObservation{}}};
+  picture.frames[0].person.emplace();
+  const Reference reference = references_.add_pictures(picture).value();
+  EXPECT_EQ(reference.source, "reference:pro_at_the_top");
+  EXPECT_EQ(reference.origin, "Pro at the top.jpg");
+  EXPECT_TRUE(reference.is_pictures);
+  const Result<PoseTrack> kept = read_pose_track(reference.motion);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->width, 640);
+  EXPECT_TRUE(kept->frames[0].person);
+  EXPECT_EQ(load_reference(references_, reference.source).error().code, ErrorCode::Unsupported);
+  picture.source = "elsewhere/Pro at the top.jpg";
+  EXPECT_EQ(references_.add_pictures(picture)->source, reference.source);
+  picture.width = 320;
+  EXPECT_EQ(references_.add_pictures(picture)->name, "Pro at the top 2") << "another picture of that name";
+  EXPECT_THAT(references_.list(), SizeIs(bundled_motion_names().size() + 2));
 }
 
 TEST_F(ReferencesTest, a_motion_file_becomes_a_coach_with_one_call) {
