@@ -18,6 +18,8 @@ constexpr double kHeld_s = 0.25;
 // When the first seconds give a body, and when they give a better one.
 // Counting people takes as long as a pose: now and then, and not while he swings.
 constexpr double kCountEvery_s = 1.0;
+// A student who turns about for a moment is not seen from another side.
+constexpr double kWrongSide_s = 1.0;
 constexpr double kFirstBody_s = 1.2, kBetterBody_s = 3.5;
 
 Sight sight_of(const PinholeCamera& camera) {
@@ -119,6 +121,7 @@ class CoachPipeline::Implementation {
     hands_.reset();
     address_.reset();
     seen_since_.reset();
+    wrong_side_since_.reset();
   }
 
   void apply_size() {
@@ -206,8 +209,7 @@ class CoachPipeline::Implementation {
     std::optional<Result<PersonalCoach>> personal = personal_.take();
     if (!personal) return;
     const std::string& source = filmed_ ? filmed_->source : coach_->source;
-    coach_message_ = *personal ? std::string() : source + ": " + personal->error().message;
-    if (*personal && !(*personal)->doubts.empty()) coach_message_ = (*personal)->doubts.front();
+    coach_message_ = *personal ? (*personal)->message : source + ": " + personal->error().message;
     ghost_.set_coach(*personal ? std::make_shared<const PersonalCoach>(std::move(**personal)) : nullptr);
   }
 
@@ -216,7 +218,12 @@ class CoachPipeline::Implementation {
     snapshot.coach_message = coach_message_;
     if (!filmed_ || !ghost_.coach() || !student) return;
     const std::optional<std::string> words = wrong_side(*filmed_, student->view);
-    if (!words) return;
+    // Who holds his finish is turned, and stands where he stood.
+    if (!words)
+      wrong_side_since_.reset();
+    else if (!wrong_side_since_ && has_hands_down(joint_moment(student->positions, student->confidence)))
+      wrong_side_since_ = snapshot.frame->time;
+    if (!wrong_side_since_ || to_seconds(snapshot.frame->time - *wrong_side_since_) < kWrongSide_s) return;
     snapshot.coach_message = *words;
     snapshot.ghost.reset();
     if (held_) held_->ghost.reset();
@@ -302,6 +309,7 @@ class CoachPipeline::Implementation {
   std::shared_ptr<const FilmedCoach> filmed_;
   Pending<Result<PersonalCoach>> personal_;
   std::string coach_message_;
+  std::optional<MediaTime> wrong_side_since_;
   GhostDriver ghost_;
 
   SwingLoop loop_;

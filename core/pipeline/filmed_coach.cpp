@@ -72,6 +72,23 @@ Result<AnalyzedPair> analyze_still(const FilmedCoach& coach, const StudentInput&
   return *std::move(best);
 }
 
+// Short enough to be read on the live picture.
+std::optional<std::string> words_about(const std::vector<Joint2d>& hidden) {
+  constexpr std::size_t kMostNamed = 3;
+  std::string list;
+  std::size_t count = 0;
+  for (const Joint2d joint : hidden) {
+    // What hangs between two others is not missed by itself.
+    if (joint == Joint2d::Neck || joint == Joint2d::MidHip || ++count > kMostNamed) continue;
+    std::string name(to_string(joint));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  if (list.empty()) return std::nullopt;
+  if (count > kMostNamed) list += " and " + std::to_string(count - kMostNamed) + " more";
+  return "Left out where the coach hides them: " + list + ".";
+}
+
 }  // namespace
 
 Result<FilmedCoach> filmed_coach_from(const PoseTrack& pictures,
@@ -97,9 +114,8 @@ Result<PersonalCoach> make_personal_coach(const FilmedCoach& coach, const Skelet
   Result<PersonalCoach> made = personal_coach_from(std::move(carried->motion));
   if (!made) return made;
   made->is_flat = true;
-  made->doubts = std::move(carried->doubts);
-  if (is_mirrored && coach.is_still)
-    made->doubts.insert(made->doubts.begin(), "The picture is mirrored, for a left-handed golfer.");
+  if (is_mirrored && coach.is_still) made->message = "The picture is mirrored, for a left-handed golfer. ";
+  made->message += words_about(carried->hidden).value_or("");
   return made;
 }
 

@@ -33,17 +33,16 @@ Vec3 front_of(const JointMoment& student) {
   return glm::cross(level(left), Vec3(0, 1, 0));
 }
 
-// At address and while he stands about: at the top and in the finish his body is turned.
-bool has_hands_down(const JointMoment& student) {
-  return student.middle(LeftWrist, RightWrist).y <
-         0.5 * (student.middle(LeftShoulder, RightShoulder).y + student.middle(LeftHip, RightHip).y);
-}
-
 double yaw_of(const Vec3& from, const Vec3& to) {
   return std::atan2(from.z * to.x - from.x * to.z, from.x * to.x + from.z * to.z);
 }
 
 }  // namespace
+
+bool has_hands_down(const JointMoment& student) {
+  return student.middle(LeftWrist, RightWrist).y <
+         0.5 * (student.middle(LeftShoulder, RightShoulder).y + student.middle(LeftHip, RightHip).y);
+}
 
 JointMoment joint_moment(std::span<const Vec3, kLandmarkBodyJointCount> positions,
                          std::span<const double, kLandmarkBodyJointCount> confidence) {

@@ -16,6 +16,9 @@ namespace posecoach {
 JointMoment joint_moment(std::span<const Vec3, kLandmarkBodyJointCount> positions,
                          std::span<const double, kLandmarkBodyJointCount> confidence);
 
+// At address and while he stands about: at the top and in the finish his body is turned.
+bool has_hands_down(const JointMoment& student);
+
 class GhostDriver {
  public:
   // Nothing: no ghost. A coach in another body goes on where the old one was.

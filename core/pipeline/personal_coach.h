@@ -27,7 +27,7 @@ struct PersonalCoach {
   std::optional<StrokeKind> kind;
   // Known across the coach's view alone, +Z of his world towards the camera: never turned about.
   bool is_flat = false;
-  std::vector<std::string> doubts = {};  // what of him could not be known, for people
+  std::string message = {};  // what of him is not shown, for people; usually empty
 
   // The joints at a time of the track, straight between the two nearest frames.
   std::vector<Vec3> positions(double time_s) const;

@@ -212,10 +212,16 @@ class Hidden {
     ++frames_;
     for (std::size_t i = 0; i < kJoint2dCount; ++i) counts_[i] += pose.seen[i] ? 0 : 1;
   }
+  std::vector<Joint2d> joints() const {
+    std::vector<Joint2d> hidden;
+    for (std::size_t i = 0; i < kJoint2dCount; ++i)
+      if (counts_[i] > kFewFrames * frames_) hidden.push_back(static_cast<Joint2d>(i));
+    return hidden;
+  }
   std::optional<std::string> told() const {
     std::string list;
-    for (std::size_t i = 0; i < kJoint2dCount; ++i) {
-      if (counts_[i] <= kFewFrames * frames_) continue;
+    for (const Joint2d joint : joints()) {
+      const std::size_t i = index(joint);
       std::string name(to_string(static_cast<Joint2d>(i)));
       std::replace(name.begin(), name.end(), '_', ' ');
       list += (list.empty() ? "" : ", ") + name + " (" + std::to_string(counts_[i]) + " of " +
@@ -270,7 +276,7 @@ Result<PictureCoach> coach_in_picture(const LiftedStudent& coach, const LiftedSt
   if (!motion) return tl::unexpected(motion.error());
   std::vector<std::string> doubts = doubts_about_lengths(coachs, his);
   if (const std::optional<std::string> line = hidden.told()) doubts.insert(doubts.begin(), *line);
-  return PictureCoach{*std::move(motion), std::move(doubts)};
+  return PictureCoach{*std::move(motion), hidden.joints(), std::move(doubts)};
 }
 
 Result<PictureCoach> coach_on_body(const LiftedStudent& coach, const Skeleton& body, Transferer& transferer) {

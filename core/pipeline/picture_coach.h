@@ -17,7 +17,8 @@ struct PictureCoach {
   // frame of the coach. Projected by the student's camera it is the transferred pose. What was not seen of
   // the coach, or cannot be told from his pictures, has confidence 0.
   Motion motion;
-  std::vector<std::string> doubts;  // for people
+  std::vector<Joint2d> hidden;      // joints that he does not show in a good part of his frames
+  std::vector<std::string> doubts;  // for people; the first is about those, where there are any
 };
 
 // Both seen by a camera that stands still, from about the same side. Errors: Incomplete (the two are filmed
