@@ -19,7 +19,7 @@ constexpr double kHeld_s = 0.25;
 // Counting people takes as long as a pose: now and then, and not while he swings.
 constexpr double kCountEvery_s = 1.0;
 // A student who turns about for a moment is not seen from another side.
-constexpr double kWrongSide_s = 1.0;
+constexpr int kWrongSidePoses = 30;
 constexpr double kFirstBody_s = 1.2, kBetterBody_s = 3.5;
 
 Sight sight_of(const PinholeCamera& camera) {
@@ -121,7 +121,7 @@ class CoachPipeline::Implementation {
     hands_.reset();
     address_.reset();
     seen_since_.reset();
-    wrong_side_since_.reset();
+    wrong_side_poses_ = 0;
   }
 
   void apply_size() {
@@ -220,10 +220,10 @@ class CoachPipeline::Implementation {
     const std::optional<std::string> words = wrong_side(*filmed_, student->view);
     // Who holds his finish is turned, and stands where he stood.
     if (!words)
-      wrong_side_since_.reset();
-    else if (!wrong_side_since_ && has_hands_down(joint_moment(student->positions, student->confidence)))
-      wrong_side_since_ = snapshot.frame->time;
-    if (!wrong_side_since_ || to_seconds(snapshot.frame->time - *wrong_side_since_) < kWrongSide_s) return;
+      wrong_side_poses_ = 0;
+    else if (has_hands_down(joint_moment(student->positions, student->confidence)))
+      ++wrong_side_poses_;
+    if (wrong_side_poses_ < kWrongSidePoses) return;
     snapshot.coach_message = *words;
     snapshot.ghost.reset();
     if (held_) held_->ghost.reset();
@@ -309,7 +309,7 @@ class CoachPipeline::Implementation {
   std::shared_ptr<const FilmedCoach> filmed_;
   Pending<Result<PersonalCoach>> personal_;
   std::string coach_message_;
-  std::optional<MediaTime> wrong_side_since_;
+  int wrong_side_poses_ = 0;
   GhostDriver ghost_;
 
   SwingLoop loop_;
