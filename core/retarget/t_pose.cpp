@@ -77,6 +77,31 @@ void lay_out(const Skeleton& skeleton, TPose& pose) {
   }
 }
 
+void turn_from(const Skeleton& skeleton, TPose& pose, int joint, const Quat& turn) {
+  for (int j = joint; j < skeleton.size(); ++j)
+    if (is_ancestor(skeleton, joint, j)) pose.rotations[index(j)] = turn * pose.rotations[index(j)];
+  lay_out(skeleton, pose);
+}
+
+// How far apart the legs stand is up to whoever posed the rig (files of one character differ in it), so each
+// ankle is brought under its hip as seen from the front. How a leg slants seen from the side is its shape.
+void close_legs(const Skeleton& skeleton, TPose& pose) {
+  const int left = skeleton.find(LeftHip), right = skeleton.find(RightHip);
+  if (left == kNoJoint || right == kNoJoint) return;
+  Vec3 across = pose.positions[index(left)] - pose.positions[index(right)];
+  across.y = 0;
+  if (glm::length(across) < 1e-9) return;
+  across = glm::normalize(across);
+  for (const auto& [hip, role] : {std::pair(left, LeftAnkle), std::pair(right, RightAnkle)}) {
+    const int ankle = skeleton.find(role);
+    if (ankle == kNoJoint || !is_ancestor(skeleton, hip, ankle)) continue;
+    const Vec3 leg = pose.positions[index(ankle)] - pose.positions[index(hip)];
+    const double aside = glm::dot(leg, across);
+    if (std::abs(aside) <= 1e-9 * glm::length(leg)) continue;
+    turn_from(skeleton, pose, hip, swing_between(leg, leg - across * aside));
+  }
+}
+
 }  // namespace
 
 bool is_ancestor(const Skeleton& skeleton, int ancestor, int joint) {
@@ -110,11 +135,9 @@ TPose make_t_pose(const Skeleton& skeleton) {
     if (glm::length(direction) < 1e-9 ||
         angle_between(direction, bone.direction) <= radians_from_degrees(bone.tolerance_degrees))
       continue;
-    const Quat swing = swing_between(direction, bone.direction);
-    for (int j = from; j < skeleton.size(); ++j)
-      if (is_ancestor(skeleton, from, j)) pose.rotations[index(j)] = swing * pose.rotations[index(j)];
-    lay_out(skeleton, pose);
+    turn_from(skeleton, pose, from, swing_between(direction, bone.direction));
   }
+  close_legs(skeleton, pose);
   return pose;
 }
 

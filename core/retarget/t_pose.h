@@ -1,6 +1,7 @@
 // Brings a skeleton's rest pose to the T-pose in which two bodies are comparable. A limb whose rest direction
 // is near the T-pose keeps it, so that the small differences of real T-poses count as shape; a limb far from
-// it (A-pose arms, legs apart, bones all along one axis) is turned onto it.
+// it (A-pose arms, bones all along one axis) is turned onto it. Legs stand under the hips, seen from the
+// front.
 #pragma once
 
 #include <vector>
