@@ -55,8 +55,8 @@ struct TrainingSummary {
   bool finished = false;      // false: stopped early, can be resumed
 };
 
-// Writes `weights`, `weights`.csv and, to be resumed, `weights`.checkpoint. Errors: NotFound, Incomplete (no
-// motions), Malformed (a checkpoint of something else).
+// Writes `weights`, `weights`.csv with its curves in `weights`.png and, to be resumed, `weights`.checkpoint.
+// Errors: NotFound, Incomplete (no motions), Malformed (a checkpoint of something else).
 Result<TrainingSummary> train_retargeting(const TrainingOptions& options);
 
 // All motions (.bvh, .amc) below a folder, except those in folders named "paired", which are for measuring,

@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/base/log.h"
+#include "core/image/curves.h"
 #include "core/retarget/network/one_thread.h"
 
 namespace posecoach {
@@ -111,13 +112,21 @@ std::string csv_header(const TrainingReport& report) {
   return line + "\n";
 }
 
+// The curves over minutes.
+Result<void> write_log(const fs::path& weights, const std::string& csv) {
+  if (Result<void> written = write_file_atomically(beside(weights, ".csv"), csv); !written) return written;
+  CurveTable table = curves_from_csv(csv);
+  table.columns.erase(table.columns.begin());
+  for (std::vector<double>& row : table.rows) row.erase(row.begin());
+  return write_curves(beside(weights, ".png"), table);
+}
+
 }  // namespace
 
 Result<TrainingSummary> run_training(Trainee& trainee, const TrainingOptions& options) {
   use_one_thread();
   at::globalContext().setFlushDenormal(true);
-  const fs::path checkpoint = beside(options.weights, ".checkpoint"),
-                 log_file = beside(options.weights, ".csv");
+  const fs::path checkpoint = beside(options.weights, ".checkpoint");
   State state;
   if (options.resume) {
     Result<State> loaded = load_checkpoint(checkpoint, trainee);
@@ -158,7 +167,7 @@ Result<TrainingSummary> run_training(Trainee& trainee, const TrainingOptions& op
       report.values.insert(report.values.end(), errors.begin(), errors.end());
       if (state.csv.empty()) state.csv = csv_header(report);
       state.csv += csv_line(report);
-      if (const Result<void> written = write_file_atomically(log_file, state.csv); !written)
+      if (const Result<void> written = write_log(options.weights, state.csv); !written)
         return tl::unexpected(written.error());
       if (options.watch && !options.watch(report)) stopped = true;
     }
