@@ -76,15 +76,15 @@ void print_errors(const PairErrors& errors) {
     std::printf("%8.2f ", *errors.grip_cm);
   else
     std::printf("%8s ", "-");
-  std::printf("%10.2f %9.1f", errors.slide_cm_s, errors.jitter_m_s3);
+  std::printf("%10.2f %8.1f %9.1f", errors.slide_cm_s, errors.beyond_limits_degrees, errors.jitter_m_s3);
 }
 
 void print(const Evaluation& evaluation, bool pairs) {
   for (const std::string& note : evaluation.notes) std::printf("%s\n", note.c_str());
   std::printf("\nCode metric: mean over frames, joints and x, y, z of the squared difference / h^2.\n");
-  std::printf("%-22s %-9s %-6s %-8s %5s %9s %9s %9s %9s %9s %8s %10s %9s\n", "method", "structure", "input",
-              "contacts", "pairs", "root", "local", "global", "eq16 cm", "bones", "grip cm", "slide cm/s",
-              "jitter");
+  std::printf("%-22s %-9s %-6s %-8s %5s %9s %9s %9s %9s %9s %8s %10s %8s %9s\n", "method", "structure",
+              "input", "contacts", "pairs", "root", "local", "global", "eq16 cm", "bones", "grip cm",
+              "slide cm/s", "limits o", "jitter");
   for (const EvaluationRow& row : evaluation.rows) {
     std::printf("%-22s %-9s %-6s %-8s %5d ", row.method.c_str(), to_string(row.structure),
                 to_string(row.input), to_string(row.contacts), row.pairs);
@@ -122,6 +122,7 @@ nlohmann::ordered_json json_of(const PairErrors& errors) {
           {"grip_cm", errors.grip_cm ? nlohmann::json(*errors.grip_cm) : nlohmann::json()},
           {"slide_cm_s", errors.slide_cm_s},
           {"coach_slide_cm_s", errors.coach_slide_cm_s},
+          {"beyond_limits_degrees", errors.beyond_limits_degrees},
           {"jitter", errors.jitter_m_s3}};
 }
 

@@ -10,6 +10,7 @@
 #include "core/motion/motion_file.h"
 #include "core/retarget/retarget.h"
 #include "core/retarget/rotation_recovery.h"
+#include "core/retarget/streamed.h"
 
 namespace posecoach {
 namespace {
@@ -17,12 +18,16 @@ namespace {
 struct Arguments {
   std::string motion, body, output;
   std::string method{to_string(kDefaultRetargetMethod)};
-  std::string contacts = "off";
+  std::string contacts = "off", limits;
+  bool stream = false;
 };
 
 void print_summary(const Arguments& arguments, const RetargetResult& result) {
   std::printf("%s: %d frames, bone lengths within %.1e of the body's\n", arguments.output.c_str(),
               result.motion.frame_count(), result.bone_length_error_max);
+  if (result.limits.turned_frames > 0)
+    std::printf("joint limits: knees or elbows turned back in %d frames, by up to %.1f degrees\n",
+                result.limits.turned_frames, result.limits.largest_turn_degrees);
   const ContactReport& contacts = result.contacts;
   if (contacts.grip_frames == 0) return;
   std::printf("grip: %d frames, wrists within %.2f cm (95 %%)", contacts.grip_frames,
@@ -48,7 +53,11 @@ Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   const Result<LoadedMotion> coach = load_motion(arguments.motion, options);
   if (!coach) return tl::unexpected(coach.error());
   const Contacts contacts = arguments.contacts == "on" ? Contacts::On : Contacts::Off;
-  const Result<RetargetResult> result = retarget(coach->motion, body->skeleton, {*method, contacts});
+  RetargetOptions how{*method, contacts};
+  if (!arguments.limits.empty()) how.limits = arguments.limits == "on" ? JointLimits::On : JointLimits::Off;
+  const Result<RetargetResult> result = arguments.stream
+                                            ? retarget_streamed(coach->motion, body->skeleton, how)
+                                            : retarget(coach->motion, body->skeleton, how);
   if (!result)
     return fail(result.error().code,
                 arguments.motion + " to " + arguments.body + ": " + result.error().message);
@@ -79,9 +88,19 @@ void add_retarget_command(CLI::App& cli, Action& action) {
   command->add_option("--contacts", arguments->contacts, "Close the grip and plant the feet")
       ->capture_default_str()
       ->check(CLI::IsMember({"on", "off"}));
+  command
+      ->add_option("--limits", arguments->limits,
+                   "Keep knees and elbows from bending as no human's do; as --contacts unless given")
+      ->check(CLI::IsMember({"on", "off"}));
+  command->add_flag("--stream", arguments->stream,
+                    "Frame by frame, looking back only, as a coach who is still being filmed");
   const auto pose = add_pose_options(*command);
-  command->callback(
-      [&action, arguments, pose] { action = [arguments, pose] { return run(*arguments, *pose); }; });
+  command->callback([&action, arguments, pose] {
+    if (arguments->stream && (arguments->contacts == "on" || arguments->method == "scale"))
+      throw CLI::ValidationError(
+          "--stream", "has neither contacts, which need the frames that follow, nor the method scale");
+    action = [arguments, pose] { return run(*arguments, *pose); };
+  });
 }
 
 }  // namespace posecoach

@@ -9,6 +9,7 @@
 #include "core/base/assert.h"
 #include "core/retarget/feet.h"
 #include "core/retarget/grip.h"
+#include "core/retarget/joint_limits.h"
 #include "core/retarget/t_pose.h"
 #include "core/retarget/webcam_noise.h"
 
@@ -125,6 +126,7 @@ void add(PairErrors& sum, const PairErrors& errors) {
   sum.global += errors.global;
   sum.eq16_cm += errors.eq16_cm;
   sum.bone_length = std::max(sum.bone_length, errors.bone_length);
+  sum.beyond_limits_degrees = std::max(sum.beyond_limits_degrees, errors.beyond_limits_degrees);
   sum.slide_cm_s += errors.slide_cm_s;
   sum.coach_slide_cm_s += errors.coach_slide_cm_s;
   sum.jitter_m_s3 += errors.jitter_m_s3;
@@ -248,6 +250,7 @@ PairErrors compare(const Motion& predicted, const Motion& truth, const Motion& c
   const FootContacts contacts = find_foot_contacts(coach);
   errors.slide_cm_s = mean_slide_cm_s(predicted, contacts);
   errors.coach_slide_cm_s = mean_slide_cm_s(coach, contacts);
+  errors.beyond_limits_degrees = joint_limit_excess(predicted).largest_degrees;
   errors.jitter_m_s3 = mean_jitter(predicted, joints);
   return errors;
 }

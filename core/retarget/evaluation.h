@@ -30,7 +30,8 @@ struct PairErrors {
   std::optional<double> grip_cm;  // mean error of the wrists' relation while the coach's hands hold together
   double slide_cm_s = 0;          // mean speed along the floor of feet that the coach has planted
   double coach_slide_cm_s = 0;    // the coach's own
-  double jitter_m_s3 = 0;         // mean third derivative of the joints, root at the origin
+  double beyond_limits_degrees = 0;  // knees and elbows, worst frame (core/retarget/joint_limits.h)
+  double jitter_m_s3 = 0;            // mean third derivative of the joints, root at the origin
 };
 // Three motions of the same frames; `predicted` and `truth` on the same skeleton. Asserts that.
 PairErrors compare(const Motion& predicted, const Motion& truth, const Motion& coach);

@@ -8,7 +8,6 @@
 #include "core/retarget/limb.h"
 #include "core/retarget/root_path.h"
 #include "core/retarget/smoothing.h"
-#include "core/retarget/stride.h"
 #include "core/retarget/t_pose.h"
 
 namespace posecoach {
@@ -147,7 +146,6 @@ void plant_feet(const Motion& coach, PosedMotion& student) {
   const FootContacts contacts = find_foot_contacts(coach);
   const Skeleton& body = student.skeleton();
   const TPose coach_t_pose = make_t_pose(coach.skeleton()), t_pose = make_t_pose(body);
-  stride_like(coach, student);
   if (contacts.left.empty() && contacts.right.empty()) return;
   const double floor =
       contacts.floor_m * hip_height(body, t_pose) / hip_height(coach.skeleton(), coach_t_pose);

@@ -29,8 +29,8 @@ FootContacts find_foot_contacts(const Motion& coach);
 // The joint that a contact holds, on any body: the ankle where the body has no toes.
 int anchor_joint(const Skeleton& skeleton, FootAnchor anchor, bool left);
 
-// Ankles go the coach's ways in leg lengths (core/retarget/stride.h), planted feet stand still on the coach's
-// floor (its height scaled like the path); the legs follow, and the hips where a leg is too short.
+// Planted feet stand still on the coach's floor (its height scaled like the path); the legs follow, and the
+// hips where a leg is too short.
 void plant_feet(const Motion& coach, PosedMotion& student);
 
 }  // namespace posecoach

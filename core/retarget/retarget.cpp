@@ -10,6 +10,7 @@
 #include "core/retarget/doubt.h"
 #include "core/retarget/feet.h"
 #include "core/retarget/grip.h"
+#include "core/retarget/joint_limits.h"
 #include "core/retarget/joint_mapping.h"
 #include "core/retarget/learned.h"
 #include "core/retarget/stride.h"
@@ -71,6 +72,25 @@ Result<Motion> carried(const Motion& given, const Motion& ready, const Skeleton&
                           turned_by_us ? RotationSource::FileFirst : options.rotations);
 }
 
+// The constraint layer; what it finds in order it leaves as it is, to the last bit.
+void constrain(const Motion& coach, const RetargetOptions& options, RetargetResult& result) {
+  const bool contacts = options.contacts == Contacts::On;
+  const Stride stride = options.stride.value_or(options.method == RetargetMethod::Network ? Stride::LikeCoach
+                                                                                          : Stride::AsTurned);
+  const bool strides = contacts || stride == Stride::LikeCoach;
+  const bool limits =
+      options.limits.value_or(contacts ? JointLimits::On : JointLimits::Off) == JointLimits::On;
+  if (!strides && !limits) return;
+  PosedMotion posed(result.motion);
+  if (strides) stride_like(coach, posed);
+  if (limits) result.limits = keep_joint_limits(posed);
+  if (contacts) {
+    plant_feet(coach, posed);
+    close_grip(coach, posed, result.contacts);
+  }
+  if (strides || result.limits.turned_frames > 0) result.motion = posed.motion();
+}
+
 }  // namespace
 
 double bone_length_error(const Motion& motion) {
@@ -108,20 +128,8 @@ Result<RetargetResult> retarget(const Motion& coach, const Skeleton& body, const
   Result<Motion> motion = carried(coach, *ready, body, options);
   if (!motion) return tl::unexpected(motion.error());
   if (options.method == RetargetMethod::Scale) motion = scaled_motion(*ready, *motion, *mapping);
-  RetargetResult result{*std::move(motion), 0, {}};
-  const Stride stride = options.stride.value_or(options.method == RetargetMethod::Network ? Stride::LikeCoach
-                                                                                          : Stride::AsTurned);
-  if (options.contacts == Contacts::Off && stride == Stride::LikeCoach) {
-    PosedMotion posed(result.motion);
-    stride_like(*ready, posed);
-    result.motion = posed.motion();
-  }
-  if (options.contacts == Contacts::On) {  // which strides likewise
-    PosedMotion posed(result.motion);
-    plant_feet(*ready, posed);
-    close_grip(*ready, posed, result.contacts);
-    result.motion = posed.motion();
-  }
+  RetargetResult result{*std::move(motion), 0, {}, {}};
+  constrain(*ready, options, result);
   result.bone_length_error_max = bone_length_error(result.motion);
   return result;
 }

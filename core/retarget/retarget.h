@@ -20,8 +20,7 @@ namespace posecoach {
 //            baseline).
 // paper:     the paper's network, on positions.
 // network:   a network takes the camera's errors out of a filmed coach's motion (nothing where there is
-// nothing
-//            to doubt), then `rotation`, then the feet go the coach's ways (Stride::LikeCoach).
+//            nothing to doubt), then `rotation`, then the legs go the coach's ways (Stride::LikeCoach).
 enum class RetargetMethod { Rotation, Direction, Scale, Paper, Network };
 // What analyses and commands take unless told otherwise: measured best on filmed coaches and no worse on
 // exact ones.
@@ -35,9 +34,12 @@ enum class Contacts { Off, On };
 // What to do with rotations that the coach's file has: use them, or look at the positions alone.
 enum class RotationSource { FileFirst, Positions };
 
-// Where the student's feet go: where his turned legs put them, or the coach's ways in leg lengths
-// (core/retarget/stride.h).
+// Where the student's legs go: where turns away from the T-pose put them, or the coach's ways
+// (core/retarget/stride.h; with contacts always).
 enum class Stride { AsTurned, LikeCoach };
+
+// Whether knees and elbows are kept from bending as no human's do (core/retarget/joint_limits.h).
+enum class JointLimits { Off, On };
 
 // Smoothing of positions before they change bodies, only where bones change their length.
 enum class InputSmoothing { Off, WhereDoubtful };
@@ -46,9 +48,10 @@ struct RetargetOptions {
   RetargetMethod method = RetargetMethod::Rotation;
   Contacts contacts = Contacts::Off;
   RotationSource rotations = RotationSource::FileFirst;
-  InputSmoothing smoothing = InputSmoothing::Off;  // `network` smooths by itself
-  std::optional<Stride> stride = std::nullopt;     // none: LikeCoach for `network`, AsTurned for the others
-  std::filesystem::path paper_weights = {};        // of `paper`; empty: the program's own
+  InputSmoothing smoothing = InputSmoothing::Off;    // `network` smooths by itself
+  std::optional<Stride> stride = std::nullopt;       // none: LikeCoach for `network`, AsTurned for the others
+  std::optional<JointLimits> limits = std::nullopt;  // none: On with contacts, else Off
+  std::filesystem::path paper_weights = {};          // of `paper`; empty: the program's own
 };
 
 // What the constraint layer did; zeros with Contacts::Off or where the coach holds nothing.
@@ -59,10 +62,17 @@ struct ContactReport {
   std::vector<int> unreachable_frames;
 };
 
+// What the joint limits did; zeros with JointLimits::Off and where every joint was within them.
+struct JointLimitReport {
+  int turned_frames = 0;
+  double largest_turn_degrees = 0;
+};
+
 struct RetargetResult {
   Motion motion;  // on the body's own skeleton, with the coach's times; rotations except `scale`
   double bone_length_error_max = 0;  // relative
   ContactReport contacts;
+  JointLimitReport limits;
 };
 
 // The largest relative difference between a bone of the motion, in any frame, and the same bone of its

@@ -1,4 +1,7 @@
-// Retargeting while a coach is being filmed: frame in, student's frame out, looking back only.
+// Retargeting frame by frame: a coach's frame in, the student's frame out, looking back only, in memory that
+// does not grow. `posecoach retarget --stream` and `posecoach bench` show what it gives and costs. The
+// window's live loop does without: there the coach is known whole beforehand and better retargeted whole; the
+// student, who comes as a stream, is measured and not carried over.
 #pragma once
 
 #include <deque>
@@ -13,7 +16,8 @@ namespace posecoach {
 // takes from the frames that follow is missing here, so a filmed coach shakes a little more.
 class StreamedRetargeter {
  public:
-  // `options.contacts` is ignored. `memory_s`: how far each answer looks back.
+  // `options.contacts` and `options.rotations` are ignored: the positions count. `memory_s`: how far back
+  // answers look that need more than the frame itself.
   StreamedRetargeter(Skeleton coach, Skeleton body, RetargetOptions options, double memory_s = 0.8);
 
   // Positions and confidences of the coach's joints; times must increase. The student's pose as a motion of
@@ -34,5 +38,9 @@ class StreamedRetargeter {
   double memory_s_;
   std::deque<Frame> frames_;
 };
+
+// Every frame of a motion through the above; what a stream would have given.
+Result<RetargetResult> retarget_streamed(const Motion& coach, const Skeleton& body,
+                                         const RetargetOptions& options = {});
 
 }  // namespace posecoach

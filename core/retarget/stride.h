@@ -1,5 +1,5 @@
-// The student's feet go the coach's ways, measured in leg lengths. Turns alone would put them elsewhere where
-// thighs and shins are proportioned differently.
+// The student's legs go the coach's ways. Turns away from the T-pose alone would slant them as the two
+// T-poses differ, and put the feet elsewhere.
 #pragma once
 
 #include "core/motion/motion.h"
@@ -7,8 +7,8 @@
 
 namespace posecoach {
 
-// Each ankle stands from its hip as the coach's does, times the ratio of the stretched legs; knees follow,
-// feet keep their orientation. Legs of the coach's proportions stay as they are.
+// From each hip the ankle lies in the direction in which the coach's does; knees stay bent as they are, feet
+// keep their orientation. Legs that point there already stay as they are, to the last bit.
 void stride_like(const Motion& coach, PosedMotion& student);
 
 }  // namespace posecoach

@@ -53,21 +53,27 @@ TEST(Network, is_geometry_but_for_the_stride_where_there_is_nothing_to_doubt) {
   }
 }
 
-TEST(Stride, ankles_stand_from_the_hips_as_the_coachs_do_in_leg_lengths) {
-  const Motion coach = resample(*bundled_motion("swing"), 30);
+TEST(Stride, legs_point_where_the_coachs_do_and_knees_stay_bent_as_they_are) {
+  const Motion coach = with_rest_pose_changed(resample(*bundled_motion("swing"), 30), HumanoidJoint::LeftHip,
+                                              Vec3(1, 0, 0), radians_from_degrees(6));
   const Skeleton body = make_standard_body({.height_m = 1.8, .thighs = 0.9, .shins = 1.1});
+  const auto turned = retarget(coach, body, {.stride = Stride::AsTurned});
   const auto student = retarget(coach, body, {.stride = Stride::LikeCoach});
-  ASSERT_TRUE(student);
+  ASSERT_TRUE(student && turned);
   using enum HumanoidJoint;
-  const double ratio = body.leg_length() / coach.skeleton().leg_length();
+  double turned_off = 0;
   for (int f = 0; f < coach.frame_count(); ++f)
     for (const auto& [hip, ankle] : {std::pair(LeftHip, LeftAnkle), std::pair(RightHip, RightAnkle)}) {
       const auto way = [&](const Motion& motion) {
         return motion.position(f, motion.skeleton().find(ankle)) -
                motion.position(f, motion.skeleton().find(hip));
       };
-      EXPECT_LT(glm::distance(way(student->motion), ratio * way(coach)), 2e-3);
+      EXPECT_LT(glm::distance(glm::normalize(way(student->motion)), glm::normalize(way(coach))), 1e-6);
+      EXPECT_NEAR(glm::length(way(student->motion)), glm::length(way(turned->motion)), 1e-9);
+      turned_off = std::max(turned_off,
+                            glm::distance(glm::normalize(way(turned->motion)), glm::normalize(way(coach))));
     }
+  EXPECT_GT(turned_off, 0.05);
   EXPECT_LT(student->bone_length_error_max, 1e-9);
 }
 
@@ -114,6 +120,47 @@ TEST(StreamedRetargeter, keeps_the_bones_of_a_student_whose_coach_is_being_filme
     EXPECT_EQ(frame->time(0), filmed.time(f));
     EXPECT_LT(bone_length_error(*frame), 1e-9);
   }
+}
+
+TEST(StreamedRetargeter, is_nearer_to_the_truth_than_smoothed_geometry_though_it_knows_no_future) {
+  const Skeleton body = make_standard_body({.height_m = 1.6, .arms = 1.15});
+  const auto truth = retarget(resample(*bundled_motion("swing"), 30), body);
+  ASSERT_TRUE(truth);
+  RetargetOptions network, smoothed;
+  network.method = RetargetMethod::Network;
+  smoothed.smoothing = InputSmoothing::WhereDoubtful;
+  double streamed = 0, whole = 0, geometry = 0;
+  const auto add = [&](const Result<RetargetResult>& student, double& sum) {
+    ASSERT_TRUE(student) << student.error().message;
+    for (int f = 0; f < truth->motion.frame_count(); ++f)
+      for (int j = 0; j < body.size(); ++j) {
+        const Vec3 off = student->motion.position(f, j) - student->motion.position(f, 0) -
+                         (truth->motion.position(f, j) - truth->motion.position(f, 0));
+        sum += glm::dot(off, off);
+      }
+  };
+  for (std::uint64_t seed = 11; seed < 14; ++seed) {
+    const Motion coach = filmed_swing(seed);
+    add(retarget_streamed(coach, body, network), streamed);
+    add(retarget(coach, body, network), whole);
+    add(retarget(coach, body, smoothed), geometry);
+  }
+  EXPECT_LT(streamed, 0.6 * geometry) << streamed / geometry;
+  EXPECT_LT(streamed, 1.6 * whole) << streamed / whole;
+}
+
+// A turn changes where the camera stands, which the correction looks at; a shift changes nothing.
+TEST(Network, follows_a_filmed_coachs_world_when_it_is_shifted) {
+  const Skeleton body = make_standard_body({.height_m = 1.6, .arms = 1.15});
+  const Motion filmed = filmed_swing(7);
+  const auto here = retarget(filmed, body, {.method = RetargetMethod::Network});
+  const auto there = retarget(transformed(filmed, Quat(1, 0, 0, 0), Vec3(0.4, 0, -0.6)), body,
+                              {.method = RetargetMethod::Network});
+  ASSERT_TRUE(here && there);
+  const Vec3 shift = there->motion.position(0, 0) - here->motion.position(0, 0);
+  for (int f = 0; f < filmed.frame_count(); ++f)
+    for (int j = 0; j < body.size(); ++j)
+      EXPECT_LT(glm::distance(there->motion.position(f, j), here->motion.position(f, j) + shift), 1e-4);
 }
 
 TEST(Network, does_not_depend_on_where_a_motion_was_cut) {
