@@ -186,8 +186,9 @@ Result<std::vector<HistoryRow>> histories_of(const std::vector<EvaluatedMethod>&
   if (!swing) return tl::unexpected(swing.error());
   std::vector<EvaluatedMethod> asked;
   for (const EvaluatedMethod& method : methods) {
-    const bool reads_rotations =
-        method.options.method == RetargetMethod::Rotation || method.options.method == RetargetMethod::Network;
+    const bool reads_rotations = method.options.method == RetargetMethod::Rotation ||
+                                 method.options.method == RetargetMethod::Direction ||
+                                 method.options.method == RetargetMethod::Network;
     asked.push_back(method);
     if (!reads_rotations) continue;
     asked.back().name += ", rotations of the file";
@@ -195,8 +196,8 @@ Result<std::vector<HistoryRow>> histories_of(const std::vector<EvaluatedMethod>&
     asked.back().name += ", positions";
     asked.back().options.rotations = RotationSource::Positions;
   }
-  // Bones of other directions, as rigs have them: there a spin moves what hangs on a bone.
-  const Skeleton body = make_standard_body({.height_m = 1.6, .arms = 1.15, .shoulders = 0.9});
+  const Skeleton body =
+      with_sloped_limbs(make_standard_body({.height_m = 1.6, .arms = 1.15, .shoulders = 0.9}), 0.15);
   return part_by_history(resample(*swing, 30), body, asked);
 }
 

@@ -74,6 +74,22 @@ Motion with_spun_bones(const Motion& motion, double angle) {
   return *std::move(made);
 }
 
+Skeleton with_sloped_limbs(const Skeleton& body, double angle) {
+  using enum HumanoidJoint;
+  std::vector<Joint> joints(body.joints().begin(), body.joints().end());
+  const auto slope = [&](HumanoidJoint role, const Vec3& axis) {
+    if (const int j = body.find(role); j != kNoJoint)
+      joints[index(j)].offset = glm::angleAxis(angle, axis) * joints[index(j)].offset;
+  };
+  for (const HumanoidJoint role : {LeftElbow, LeftWrist}) slope(role, {0, 0, -1});
+  for (const HumanoidJoint role : {RightElbow, RightWrist}) slope(role, {0, 0, 1});
+  for (const HumanoidJoint role : {LeftKnee, RightKnee}) slope(role, {-1, 0, 0});
+  for (const HumanoidJoint role : {LeftAnkle, RightAnkle}) slope(role, {1, 0, 0});
+  Result<Skeleton> made = Skeleton::make(std::move(joints));
+  POSECOACH_ASSERT(made.has_value());
+  return *std::move(made);
+}
+
 Result<std::vector<HistoryRow>> part_by_history(const Motion& coach, const Skeleton& body,
                                                 const std::vector<EvaluatedMethod>& methods) {
   const Motion other = with_spun_bones(coach, kPi / 2);

@@ -32,6 +32,10 @@ struct HistoryRow {
 Result<std::vector<HistoryRow>> part_by_history(const Motion& coach, const Skeleton& body,
                                                 const std::vector<EvaluatedMethod>& methods);
 
+// The same lengths with upper arms, forearms, thighs and shins sloped by `angle` in the rest pose, as rigs
+// differ: there a spin of the coach's bone moves the end of the student's.
+Skeleton with_sloped_limbs(const Skeleton& body, double angle);
+
 // The same positions with every bone that has one bone after it spun about itself by `angle`. For motions
 // with rotations.
 Motion with_spun_bones(const Motion& motion, double angle);
