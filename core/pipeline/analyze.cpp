@@ -62,7 +62,7 @@ void count_in_film_frames(Analysis& analysis, const StudentInput& student) {
 // A coach who has the student's body already is compared as he is: nothing is carried over, so nothing needs
 // mending.
 Result<RetargetResult> in_body(const Motion& coach, const Skeleton& body, const RetargetOptions& options) {
-  if (coach.skeleton() == body) return RetargetResult{coach, bone_length_error(coach), {}};
+  if (coach.skeleton() == body) return RetargetResult{coach, bone_length_error(coach), {}, {}};
   return retarget(coach, body, options);
 }
 
