@@ -142,7 +142,7 @@ Result<void> write_outputs(const AnalyzeOutputs& outputs, const LoadedMotion& st
     if (!pictures) return tl::unexpected(pictures.error());
     if (!outputs.report.empty())
       if (const Result<void> written =
-              write_file_atomically(outputs.report, make_report_page(comparison, *pictures));
+              write_file_atomically(outputs.report, make_report_page(comparison, *pictures, outputs.block));
           !written)
         return written;
   }

@@ -6,6 +6,7 @@
 
 #include "app/load_motion.h"
 #include "core/base/progress.h"
+#include "core/coaching/block.h"
 #include "core/pipeline/analyze.h"
 #include "ui/render/figure.h"
 
@@ -14,6 +15,7 @@ namespace posecoach {
 struct AnalyzeOutputs {
   std::string json, report, video;  // file names; empty for none; json or report may be "-"
   Palette palette = Palette::RedGreen;
+  Block block = {};  // of the page: the golfer's last swings, this one among them
 };
 
 // As check_output_files (app/output_check.h); a film goes to a file only.

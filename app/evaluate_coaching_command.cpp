@@ -20,8 +20,8 @@ namespace {
 
 struct Arguments {
   std::string through = "joints", poses, json;
-  std::vector<std::string> bodies;
-  std::vector<double> frame_rates = {30}, parts = {0.75, 1, 1.5};
+  std::vector<std::string> bodies, faults;
+  std::vector<double> frame_rates = {30}, parts = {0.75, 1, 1.5}, camera_turns = {0};
   bool lists_cases = false;
 };
 
@@ -36,7 +36,8 @@ Result<SimulatedStudentOptions> film_of(const BenchCase& one) {
   options.body_name = one.body.name;
   options.body = make_standard_body(one.body.proportions);
   options.hand = one.hand;
-  options.view = one.eye == BenchEye::FaceOn ? CameraView::FaceOn : CameraView::DownTheLine;
+  options.view = {one.eye == BenchEye::FaceOn ? CameraView::FaceOn : CameraView::DownTheLine,
+                  one.camera_turned_deg};
   options.frames_per_second = one.frames_per_second;
   options.width = kWidth;
   options.height = kHeight;
@@ -140,7 +141,8 @@ nlohmann::ordered_json json_of(const std::vector<BenchRow>& rows, const std::vec
 }
 
 BenchPlan plan_of(const Arguments& arguments) {
-  BenchPlan plan{{}, arguments.frame_rates, arguments.parts, arguments.bodies};
+  BenchPlan plan{
+      {}, arguments.frame_rates, arguments.parts, arguments.bodies, arguments.faults, arguments.camera_turns};
   if (arguments.through != "film") plan.eyes.push_back(BenchEye::TrueJoints);
   if (arguments.through != "joints") {
     plan.eyes.push_back(BenchEye::FaceOn);
@@ -187,6 +189,15 @@ void add_evaluate_coaching_command(CLI::App& evaluate, Action& action) {
   command->add_option("--bodies", arguments->bodies, "Only these bodies (default: all)")
       ->delimiter(',')
       ->type_name("NAME,...");
+  command->add_option("--faults", arguments->faults, "Only these faults (default: all)")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  command
+      ->add_option("--turned", arguments->camera_turns,
+                   "How many degrees the camera stands beside its place, for films")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(-45.0, 45.0));
   command->add_option("--fps", arguments->frame_rates, "Frame rates")
       ->delimiter(',')
       ->capture_default_str()

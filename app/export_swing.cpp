@@ -2,6 +2,7 @@
 
 #include "app/analyze_outputs.h"
 #include "app/stored_swing.h"
+#include "app/swing_block.h"
 #include "core/base/file.h"
 #include "core/body/body_file.h"
 #include "core/motion/motion_file.h"
@@ -98,6 +99,11 @@ Result<void> export_swing(const Swing& swing, const fs::path& file, const Export
   AnalyzeOutputs outputs;
   outputs.palette = options.palette;
   if (name.ends_with(".html")) outputs.report = file.string();
+  if (!outputs.report.empty() && options.library != nullptr) {
+    Result<Block> block = block_until(*options.library, swing);
+    if (!block) return tl::unexpected(block.error());
+    outputs.block = *std::move(block);
+  }
   if (name.ends_with(".overlay.mp4")) outputs.video = file.string();
   if (!outputs.report.empty() || !outputs.video.empty()) return export_drawn(swing, outputs, options);
   const auto film = swing.file("film");

@@ -15,6 +15,7 @@ struct ExportOptions {
   std::string coach;  // for page and drawn film; empty: the one that it was compared with
   LoadOptions load;
   Palette palette = Palette::RedGreen;  // of page and drawn film
+  Library* library = nullptr;           // the page then tells of the golfer's last swings, too
 };
 
 // The kind is told by the end of the name:

@@ -64,7 +64,8 @@ Result<void> export_files(const LibraryPlace& place, const ExportArguments& argu
   std::vector<std::filesystem::path> written;
   {
     ProgressBar bar;
-    const ExportOptions options{arguments.coach, {pose, {}, bar.progress()}};
+    const ExportOptions options{
+        arguments.coach, {pose, {}, bar.progress()}, Palette::RedGreen, library->get()};
     for (const std::string& file : arguments.files) {
       if (const Result<void> done = export_swing(*swing, file, options); !done) return done;
       written.emplace_back(file);

@@ -19,7 +19,7 @@ using SharedLibraryPlace = std::shared_ptr<const LibraryPlace>;
 // Tells on standard error of recordings that a crash left.
 Result<std::unique_ptr<Library>> open_library(const LibraryPlace& place);
 
-// list, show, verify
+// list, show, block, verify
 void add_library_views(CLI::App& library, Action& action, const SharedLibraryPlace& place);
 // edit, trash, restore, purge, recover
 void add_library_changes(CLI::App& library, Action& action, const SharedLibraryPlace& place);

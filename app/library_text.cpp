@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/coaching/text/metric_text.h"
 
 namespace posecoach {
 namespace {
@@ -112,6 +113,23 @@ std::string page_of(const Swing& swing) {
   for (const auto& [name, stored] : swing.files)
     out += "File      " + one_line(name) + ", " + std::to_string(stored.bytes) + " bytes\n";
   return out;
+}
+
+std::string page_of(const Block& block) {
+  std::size_t width = 0;
+  for (const MetricSpread& metric : block.metrics) width = std::max(width, characters(metric.title));
+  std::string page = block.words + "\n\n";
+  for (const MetricSpread& metric : block.metrics) {
+    if (metric.spread.count < 2) continue;
+    const int decimals = metric.spread.deviation >= 3 ? 0 : metric.spread.deviation >= 0.2 ? 1 : 2;
+    page += metric.title + std::string(width + 2 - characters(metric.title), ' ') +
+            rounded(metric.spread.mean, decimals) + " ± " + rounded(metric.spread.deviation, decimals) +
+            text::unit(metric.unit) + "\n";
+  }
+  for (const RepeatedAdvice& advice : block.advice)
+    page += "\n" + std::to_string(advice.swings) + " of " + std::to_string(block.swings) + ": " +
+            one_line(advice.text);
+  return page + (block.advice.empty() ? "" : "\n");
 }
 
 Json json_of(const Swing& swing) {

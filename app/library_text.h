@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/coaching/block.h"
 #include "core/session/library.h"
 
 namespace posecoach {
@@ -13,6 +14,8 @@ namespace posecoach {
 std::string table_of(const std::vector<Swing>& swings);
 // Everything about one, line by line.
 std::string page_of(const Swing& swing);
+// Mean and spread of everything that was measured, as a table.
+std::string page_of(const Block& block);
 
 // {"id", "shelf", "folder", "recorded_at", "person", ..., "files": {...}}; "unreadable" where it is.
 nlohmann::ordered_json json_of(const Swing& swing);

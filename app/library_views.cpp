@@ -7,7 +7,9 @@
 #include "app/library_text.h"
 #include "app/output_check.h"
 #include "app/progress_bar.h"
+#include "app/swing_block.h"
 #include "capture/video_file.h"
+#include "core/base/file.h"
 
 namespace posecoach {
 namespace {
@@ -44,6 +46,20 @@ Result<void> show(const LibraryPlace& place, const std::string& id, const std::s
   if (!swing) return tl::unexpected(swing.error());
   if (json != "-") std::fputs(page_of(*swing).c_str(), stdout);
   return write_json(json, json_of(**library, {*swing}));
+}
+
+Result<void> tell_block(const LibraryPlace& place, const std::string& id, std::size_t most,
+                        const std::string& json) {
+  const auto library = open_library(place);
+  if (!library) return tl::unexpected(library.error());
+  const Result<Swing> swing = (*library)->find(id);
+  if (!swing) return tl::unexpected(swing.error());
+  const Result<Block> block = block_until(**library, *swing, most);
+  if (!block) return tl::unexpected(block.error());
+  if (block->swings == 0)
+    return fail(ErrorCode::Incomplete, swing->id + ": it has not been compared with a coach yet");
+  if (json != "-") std::fputs(page_of(*block).c_str(), stdout);
+  return json.empty() ? Result<void>() : write_file_atomically(json, to_json(*block));
 }
 
 // That at least its first picture can be seen.
@@ -119,6 +135,22 @@ void add_library_views(CLI::App& library, Action& action, const SharedLibraryPla
   command->add_option("--json", *json, "Write it as JSON; - is standard output")->type_name("FILE");
   command->callback(
       [&action, place, id, json] { action = [place, id, json] { return show(*place, *id, *json); }; });
+
+  struct BlockArguments {
+    std::string id, json;
+    std::size_t most = kBlockSwings;
+  };
+  auto block = std::make_shared<BlockArguments>();
+  command = library.add_subcommand("block", "A swing and those before it together: mean and spread");
+  command->add_option("SWING", block->id, "Its id, or the last letters of it")->required();
+  command->add_option("--last", block->most, "How many at most")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 1000))
+      ->type_name("NUMBER");
+  command->add_option("--json", block->json, "Write it as JSON; - is standard output")->type_name("FILE");
+  command->callback([&action, place, block] {
+    action = [place, block] { return tell_block(*place, block->id, block->most, block->json); };
+  });
 
   auto verify_json = std::make_shared<std::string>();
   command = library.add_subcommand("verify", "Whether every swing opens and is as it was stored");

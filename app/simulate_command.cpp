@@ -99,8 +99,10 @@ void add_simulate_command(CLI::App& cli, Action& action) {
   command->add_option("--hand", options->hand, "The side he plays from")
       ->check(CLI::IsMember({"right", "left"}))
       ->capture_default_str();
-  command->add_option("--view", options->view, "Where the camera stands")
-      ->check(CLI::IsMember({"face-on", "down-the-line"}))
+  command
+      ->add_option("--view", options->view,
+                   "Where the camera stands: face-on or down-the-line, with +20 or -20 behind it that many "
+                   "degrees beside it")
       ->capture_default_str();
   command->add_option("--fps", options->fps, "Pictures a second")
       ->check(CLI::Range(1.0, 1000.0))

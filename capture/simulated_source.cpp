@@ -72,7 +72,7 @@ Result<void> set_simulated_option(SimulatedStudentOptions& options, std::string_
     if (value != "left" && value != "right") return wrong(key, value, "use left or right");
     options.hand = value == "left" ? Handedness::Left : Handedness::Right;
   } else if (key == "view") {
-    const Result<CameraView> view = camera_view_from_string(value);
+    const Result<CameraPlace> view = camera_place_from_string(value);
     if (!view) return tl::unexpected(view.error());
     options.view = *view;
   } else if (key == "fps") {

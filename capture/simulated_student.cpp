@@ -1,7 +1,10 @@
 #include "capture/simulated_student.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 #include "capture/bar_code.h"
 #include "core/motion/bundled_motion.h"
@@ -12,14 +15,35 @@ std::string_view to_string(CameraView view) {
   return view == CameraView::FaceOn ? "face-on" : "down-the-line";
 }
 
-Result<CameraView> camera_view_from_string(std::string_view name) {
-  if (name == "face-on") return CameraView::FaceOn;
-  if (name == "down-the-line") return CameraView::DownTheLine;
-  return fail(ErrorCode::InvalidArgument,
-              "there is no view \"" + std::string(name) + "\": use face-on or down-the-line");
+std::string to_string(const CameraPlace& place) {
+  std::ostringstream name;
+  name.imbue(std::locale::classic());
+  name << to_string(place.view);
+  if (place.turned_deg != 0) name << (place.turned_deg > 0 ? "+" : "") << place.turned_deg;
+  return name.str();
 }
 
-PinholeCamera make_view_camera(CameraView view, Handedness hand, int width_px, int height_px) {
+Result<CameraPlace> camera_place_from_string(std::string_view name) {
+  const auto wrong = fail(ErrorCode::InvalidArgument,
+                          "there is no view \"" + std::string(name) +
+                              "\": use face-on or down-the-line, and +20 or -20 behind it for a camera that "
+                              "stands as many degrees beside it, at most 90");
+  for (const CameraView view : {CameraView::FaceOn, CameraView::DownTheLine}) {
+    if (!name.starts_with(to_string(view))) continue;
+    std::string_view turned = name.substr(to_string(view).size());
+    if (turned.empty()) return CameraPlace{view, 0};
+    if (turned.front() != '+' && turned.front() != '-') return wrong;
+    if (turned.front() == '+') turned.remove_prefix(1);
+    double degrees = 0;
+    const auto [end, error] = std::from_chars(turned.data(), turned.data() + turned.size(), degrees);
+    if (error != std::errc{} || end != turned.data() + turned.size() || !(std::abs(degrees) <= 90))
+      return wrong;
+    return CameraPlace{view, degrees};
+  }
+  return wrong;
+}
+
+PinholeCamera make_view_camera(const CameraPlace& place, Handedness hand, int width_px, int height_px) {
   constexpr double kDistance = 3.9, kHandHeight = 0.90;
   // Room above and beside a tall golfer for his club in landscape; in portrait as wide as the golfer.
   const double aspect = static_cast<double>(width_px) / height_px;
@@ -27,11 +51,12 @@ PinholeCamera make_view_camera(CameraView view, Handedness hand, int width_px, i
   const double angle = 2 * std::atan(0.5 * seen_height / kDistance);
   const double middle_height = 1.02;
   const double right = hand == Handedness::Right ? 1 : -1;
-  if (view == CameraView::FaceOn)
-    return make_camera_looking_at({0, kHandHeight, kDistance + 0.1}, {0, middle_height, 0.1}, angle, width_px,
-                                  height_px);
-  return make_camera_looking_at({-right * kDistance, kHandHeight, 0.28}, {0, middle_height, 0.28}, angle,
-                                width_px, height_px);
+  const bool is_face_on = place.view == CameraView::FaceOn;
+  const Vec3 aim(0, middle_height, is_face_on ? 0.1 : 0.28);
+  const Vec3 away = is_face_on ? Vec3(0, 0, kDistance) : Vec3(-right * kDistance, 0, 0);
+  const double turn = right * radians_from_degrees(place.turned_deg), c = std::cos(turn), s = std::sin(turn);
+  const Vec3 eye(aim.x + c * away.x + s * away.z, kHandHeight, aim.z - s * away.x + c * away.z);
+  return make_camera_looking_at(eye, aim, angle, width_px, height_px);
 }
 
 Result<std::unique_ptr<SimulatedStudent>> SimulatedStudent::make(const SimulatedStudentOptions& options) {

@@ -17,7 +17,16 @@ namespace posecoach {
 
 enum class CameraView { FaceOn, DownTheLine };
 std::string_view to_string(CameraView view);
-Result<CameraView> camera_view_from_string(std::string_view name);
+
+// A view, and how far the camera has gone round the golfer from there: from face-on towards the target, from
+// down the line towards the ball.
+struct CameraPlace {
+  CameraView view = CameraView::FaceOn;
+  double turned_deg = 0;
+};
+std::string to_string(const CameraPlace& place);  // "face-on", "down-the-line+20", "face-on-12.5"
+// As to_string writes it. Errors: InvalidArgument.
+Result<CameraPlace> camera_place_from_string(std::string_view name);
 
 struct SimulatedStudentOptions {
   std::string name = "simulated:swing";  // as the user wrote it
@@ -26,7 +35,7 @@ struct SimulatedStudentOptions {
   std::string body_name = "average";
   Skeleton body = make_standard_body({.height_m = 1.80});
   Handedness hand = Handedness::Right;
-  CameraView view = CameraView::FaceOn;
+  CameraPlace view;
   double frames_per_second = 60;
   int width = 1280;
   int height = 720;
@@ -65,6 +74,6 @@ class SimulatedStudent : public FrameSource {
 
 // Where the camera of a view stands: at hand height, square to the target line (face-on) or on it (down the
 // line).
-PinholeCamera make_view_camera(CameraView view, Handedness hand, int width_px, int height_px);
+PinholeCamera make_view_camera(const CameraPlace& place, Handedness hand, int width_px, int height_px);
 
 }  // namespace posecoach

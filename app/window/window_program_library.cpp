@@ -195,14 +195,14 @@ void WindowProgram::export_swing(const std::string& id, ExportKind kind) {
     return tell(ToastKind::Warning, id.empty() ? "The swing is still being kept." : swing.error().message);
   jobs_->start(
       "Exporting",
-      [this, swing = *swing, kind,
-       palette = model_.palette](const Progress& progress) -> Result<JobQueue::Finish> {
+      [this, swing = *swing, kind, palette = model_.palette,
+       library = library_.get()](const Progress& progress) -> Result<JobQueue::Finish> {
         const std::filesystem::path folder = places_.library / "Exports";
         if (const Result<void> made = make_folders(system_disk(), folder); !made)
           return tl::unexpected(made.error());
         const std::filesystem::path file =
             folder / (swing.folder.filename().string() + std::string(ending_of(kind)));
-        const ExportOptions options{{}, {pose_, {}, progress}, palette};
+        const ExportOptions options{{}, {pose_, {}, progress}, palette, library};
         if (const Result<void> written = posecoach::export_swing(swing, file, options); !written)
           return tl::unexpected(written.error());
         return JobQueue::Finish([this, file] { tell(ToastKind::Good, "Exported: " + file.string()); });

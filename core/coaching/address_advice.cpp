@@ -1,13 +1,12 @@
 #include "core/coaching/address_advice.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/coaching/posture.h"
+#include "core/coaching/text/advice_text.h"
 
 namespace posecoach {
 namespace {
@@ -20,7 +19,7 @@ constexpr double kLeastConfidence = 0.5;
 constexpr double kClearStance_m = 0.06, kClearSpine_deg = 8, kClearSide_deg = 6, kClearKnee_deg = 12,
                  kClearHands_m = 0.07;
 
-struct Posture {
+struct Setup {
   double stance_m = 0;        // between the ankles
   double spine_deg = 0;       // towards the ball
   double side_deg = 0;        // away from the target
@@ -28,7 +27,7 @@ struct Posture {
   double hand_out_m[2] = {};  // over the middle of the ankles towards the ball, lead and trail
 };
 
-Posture posture_of(const JointTrack& body) {
+Setup posture_of(const JointTrack& body) {
   const BodyAxes axes = body_axes(body, 0, 0);
   const Vec3 feet = middle_of(body, 0, LeftAnkle, RightAnkle);
   return {
@@ -53,42 +52,32 @@ bool sees(const JointTrack& student, std::initializer_list<HumanoidJoint> joints
 }  // namespace
 
 std::vector<std::string> address_advice(const JointTrack& student, const JointTrack& coach, Viewpoint view) {
-  const Posture his = posture_of(student), coachs = posture_of(coach);
+  const Setup his = posture_of(student), coachs = posture_of(coach);
   struct Difference {
     double severity = 0;
     std::string text;
   };
   std::vector<Difference> found;
-  const auto compare = [&](bool is_known, double off, double clear, const std::string& more,
-                           const std::string& less) {
-    if (is_known && std::abs(off) >= clear) found.push_back({std::abs(off) / clear, off > 0 ? less : more});
+  const auto compare = [&](bool is_known, double off, double clear, text::Posture what) {
+    if (is_known && std::abs(off) >= clear)
+      found.push_back({std::abs(off) / clear, text::address(what, off)});
   };
   // At an angle neither is seen well enough to send somebody about.
   const bool sees_side = sees_target_direction(view) && view != Viewpoint::Between;
   const bool sees_front = sees_ball_direction(view) && view != Viewpoint::Between;
-  const double stance = his.stance_m - coachs.stance_m;
-  compare(sees_side && sees(student, {LeftAnkle, RightAnkle}), stance, kClearStance_m,
-          fmt::format("Widen your stance by {:.0f} cm.", -100 * stance),
-          fmt::format("Narrow your stance by {:.0f} cm.", 100 * stance));
-  const double spine = his.spine_deg - coachs.spine_deg;
+  compare(sees_side && sees(student, {LeftAnkle, RightAnkle}), his.stance_m - coachs.stance_m, kClearStance_m,
+          text::Posture::Stance);
   compare(sees_front && (sees(student, {LeftShoulder, LeftHip}) || sees(student, {RightShoulder, RightHip})),
-          spine, kClearSpine_deg, fmt::format("Bend forward {:.0f}° more from the hips.", -spine),
-          fmt::format("Stand up {:.0f}° more: you bend too far forward.", spine));
-  const double side = his.side_deg - coachs.side_deg;
-  compare(sees_side && sees(student, {LeftShoulder, RightShoulder, LeftHip, RightHip}), side, kClearSide_deg,
-          fmt::format("Tilt your spine {:.0f}° more away from the target.", -side),
-          fmt::format("Tilt your spine {:.0f}° less away from the target.", side));
+          his.spine_deg - coachs.spine_deg, kClearSpine_deg, text::Posture::Spine);
+  compare(sees_side && sees(student, {LeftShoulder, RightShoulder, LeftHip, RightHip}),
+          his.side_deg - coachs.side_deg, kClearSide_deg, text::Posture::Side);
   const int leg = clearer_side(student, LeftKnee, RightKnee);
-  const double knee = his.knee_deg[leg] - coachs.knee_deg[leg];
   // From the front a knee that bends comes towards the camera, and only its depth would tell.
   compare(sees_front && (sees(student, {LeftKnee, LeftAnkle}) || sees(student, {RightKnee, RightAnkle})),
-          knee, kClearKnee_deg, fmt::format("Bend your knees {:.0f}° more.", -knee),
-          fmt::format("Straighten your knees by {:.0f}°.", knee));
+          his.knee_deg[leg] - coachs.knee_deg[leg], kClearKnee_deg, text::Posture::Knees);
   const int hand = clearer_side(student, LeftWrist, RightWrist);
-  const double out = his.hand_out_m[hand] - coachs.hand_out_m[hand];
-  compare(sees_front && (sees(student, {LeftWrist}) || sees(student, {RightWrist})), out, kClearHands_m,
-          fmt::format("Let your hands hang {:.0f} cm farther from your feet.", -100 * out),
-          fmt::format("Let your hands hang {:.0f} cm closer to your feet.", 100 * out));
+  compare(sees_front && (sees(student, {LeftWrist}) || sees(student, {RightWrist})),
+          his.hand_out_m[hand] - coachs.hand_out_m[hand], kClearHands_m, text::Posture::Hands);
   std::stable_sort(found.begin(), found.end(),
                    [](const Difference& a, const Difference& b) { return a.severity > b.severity; });
   std::vector<std::string> advice;

@@ -53,13 +53,21 @@ struct TimingAdvice {
   std::string fault = {};  // the name that golfers know for it ("slow_backswing"), if it has one
 };
 
+// A joint of both bodies, with the feet at address in one place.
+struct JointGap {
+  std::string joint;
+  Vec3 offset_m;  // as in SpatialAdvice
+  double distance_m = 0;
+};
+
 // One of the coach's events, and the student's moment that answers it along the path.
 struct PoseMatch {
   std::string event;
   int student_frame = 0, coach_frame = 0;
   double student_s = 0, coach_s = 0;  // from each one's takeaway
-  double late_s = 0;                  // the difference; negative is early
+  double late_s = 0;                  // the difference, at the student's pace; negative is early
   double apart_m = 0;                 // mean joint error then
+  std::vector<JointGap> joints;       // that differ most, farthest first; at most three
   std::string advice;
 };
 
@@ -79,6 +87,7 @@ struct SpatialAdvice {
 
 struct Metric {
   std::string name;
+  std::string title = {};  // as a heading: "Shoulder turn at the top"
   double value = 0, plus_minus = 0;
   std::string unit;  // "", "deg", "cm", "s", "%"
   bool available = false;
@@ -107,6 +116,7 @@ struct Advice {
 struct FramePair {
   int student_frame = 0, coach_frame = 0;
   double mean_error_m = 0;
+  std::vector<JointGap> joints = {};  // as in PoseMatch
 };
 
 struct MotionSummary {

@@ -58,6 +58,15 @@ Json parts_json(const std::vector<PartScore>& parts) {
   return json;
 }
 
+Json gaps_json(const std::vector<JointGap>& gaps) {
+  Json json = Json::array();
+  for (const JointGap& gap : gaps)
+    json.push_back({{"joint", gap.joint},
+                    {"offset_m", {gap.offset_m.x, gap.offset_m.y, gap.offset_m.z}},
+                    {"distance_m", gap.distance_m}});
+  return json;
+}
+
 Json poses_json(const Analysis& analysis) {
   Json json = Json::array();
   for (const PoseMatch& match : analysis.poses)
@@ -68,6 +77,7 @@ Json poses_json(const Analysis& analysis) {
                     {"coach_s", match.coach_s},
                     {"late_s", match.late_s},
                     {"apart_m", match.apart_m},
+                    {"joints", gaps_json(match.joints)},
                     {"advice", match.advice}});
   return json;
 }
@@ -94,8 +104,8 @@ Json metrics_json(const Analysis& analysis) {
   Json json = Json::array();
   for (const Metric& m : analysis.metrics) {
     Json metric{
-        {"name", m.name},           {"value", m.value},   {"plus_minus", m.plus_minus}, {"unit", m.unit},
-        {"available", m.available}, {"reason", m.reason}, {"definition", m.definition}};
+        {"name", m.name}, {"title", m.title},         {"value", m.value},   {"plus_minus", m.plus_minus},
+        {"unit", m.unit}, {"available", m.available}, {"reason", m.reason}, {"definition", m.definition}};
     if (!m.available) metric["value"] = nullptr;
     if (m.coach) metric["coach"] = *m.coach;
     if (m.usual) metric["usual"] = {m.usual->first, m.usual->second};
@@ -141,7 +151,8 @@ std::string to_json(const Analysis& analysis) {
   for (const FramePair& p : analysis.worst_frames)
     json["worst_frames"].push_back({{"student_frame", p.student_frame},
                                     {"coach_frame", p.coach_frame},
-                                    {"mean_error_m", p.mean_error_m}});
+                                    {"mean_error_m", p.mean_error_m},
+                                    {"joints", gaps_json(p.joints)}});
   json["metrics"] = metrics_json(analysis);
   json["advice"] = Json::array();
   for (const Advice& a : analysis.advice)
@@ -151,6 +162,7 @@ std::string to_json(const Analysis& analysis) {
                               {"measure", a.measure},
                               {"event", a.event},
                               {"amount", a.amount},
+                              {"severity", a.severity},
                               {"student_frame", a.student_frame},
                               {"coach_frame", a.coach_frame}});
   json["notes"] = analysis.notes;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/coaching/advice_text.h"
+#include "core/coaching/text/advice_text.h"
 
 namespace posecoach {
 namespace {
@@ -13,15 +13,15 @@ struct Collected {
   std::vector<double> values;
 };
 
-std::vector<MetricSpread> metrics_of(std::span<const Analysis* const> swings) {
+std::vector<MetricSpread> metrics_of(std::span<const BlockSwing> swings) {
   std::vector<Collected> collected;
-  for (const Analysis* swing : swings)
-    for (const Metric& metric : swing->metrics) {
+  for (const BlockSwing& swing : swings)
+    for (const Metric& metric : swing.metrics) {
       if (!metric.available || !std::isfinite(metric.value)) continue;
       auto found = std::find_if(collected.begin(), collected.end(),
                                 [&](const Collected& c) { return c.metric.name == metric.name; });
       if (found == collected.end()) {
-        collected.push_back({{metric.name, metric.unit, {}, metric.coach}, {}});
+        collected.push_back({{metric.name, metric.title, metric.unit, {}, metric.coach}, {}});
         found = collected.end() - 1;
       }
       found->values.push_back(metric.value);
@@ -34,14 +34,14 @@ std::vector<MetricSpread> metrics_of(std::span<const Analysis* const> swings) {
   return metrics;
 }
 
-std::vector<RepeatedAdvice> advice_of(std::span<const Analysis* const> swings) {
+std::vector<RepeatedAdvice> advice_of(std::span<const BlockSwing> swings) {
   struct Counted {
     RepeatedAdvice advice;
     double severity = 0;
   };
   std::vector<Counted> counted;
   for (std::size_t s = 0; s < swings.size(); ++s)
-    for (const Advice& advice : swings[s]->advice) {
+    for (const Advice& advice : swings[s].advice) {
       if (advice.kind == AdviceKind::None) continue;
       // The same fault at another moment of the swing is the same fault.
       auto found = std::find_if(counted.begin(), counted.end(), [&](const Counted& c) {
@@ -69,6 +69,10 @@ std::vector<RepeatedAdvice> advice_of(std::span<const Analysis* const> swings) {
 
 }  // namespace
 
+BlockSwing block_swing_from(const Analysis& analysis) {
+  return {analysis.stroke, analysis.score.percent, analysis.metrics, analysis.advice};
+}
+
 Spread spread_of(std::span<const double> values) {
   Spread spread;
   spread.count = static_cast<int>(values.size());
@@ -81,12 +85,12 @@ Spread spread_of(std::span<const double> values) {
   return spread;
 }
 
-Block make_block(std::span<const Analysis* const> swings) {
+Block make_block(std::span<const BlockSwing> swings) {
   Block block;
   block.swings = static_cast<int>(swings.size());
   if (swings.empty()) return block;
   std::vector<double> percent;
-  for (const Analysis* swing : swings) percent.push_back(swing->score.percent);
+  for (const BlockSwing& swing : swings) percent.push_back(swing.percent);
   block.percent = spread_of(percent);
   block.metrics = metrics_of(swings);
   block.advice = advice_of(swings);

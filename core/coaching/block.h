@@ -5,11 +5,24 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/coaching/analysis.h"
 
 namespace posecoach {
+
+// What a block needs of each of its swings.
+struct BlockSwing {
+  std::string stroke;  // "full swing", "putt"
+  double percent = 0;  // score
+  std::vector<Metric> metrics;
+  std::vector<Advice> advice;
+};
+BlockSwing block_swing_from(const Analysis& analysis);
+// From a "posecoach.analysis/1" text as the library keeps it. Errors: Malformed.
+Result<BlockSwing> block_swing_from_json(std::string_view text);
 
 struct Spread {
   int count = 0;
@@ -19,7 +32,7 @@ struct Spread {
 Spread spread_of(std::span<const double> values);
 
 struct MetricSpread {
-  std::string name, unit;
+  std::string name, title, unit;
   Spread spread;  // of the swings in which the metric was available
   std::optional<double> coach = {};
 };
@@ -41,6 +54,8 @@ struct Block {
 };
 
 // An empty block for no swings. Swings of different kinds (full swings and putts) share what both have.
-Block make_block(std::span<const Analysis* const> swings);
+Block make_block(std::span<const BlockSwing> swings);
+// {"schema": "posecoach.block/1", ...}; docs/FORMATS.md.
+std::string to_json(const Block& block);
 
 }  // namespace posecoach

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <string>
 
-#include "core/coaching/advice_text.h"
 #include "core/coaching/alignment.h"
 #include "core/coaching/film_habits.h"
 #include "core/coaching/metrics.h"
 #include "core/coaching/pose_alignment.h"
 #include "core/coaching/score.h"
 #include "core/coaching/spatial_advice.h"
+#include "core/coaching/text/advice_text.h"
+#include "core/coaching/text/refusal_text.h"
 #include "core/coaching/timing_advice.h"
 
 namespace posecoach {
@@ -18,7 +19,6 @@ namespace {
 
 constexpr std::size_t kMostAdvice = 3;
 constexpr double kWorstFramesApart_s = 0.1;
-constexpr double kTransitionIsCause = 1.3;
 // Below this score the coach's motion was not found in a film without events: it shows something else.
 constexpr double kLeastPercentWithoutEvents = 40;
 
@@ -62,17 +62,32 @@ void mirror_names(Analysis& analysis) {
     mirror(advice.joint);
     advice.offset_m.x = -advice.offset_m.x;
   }
+  const auto mirror_gaps = [&](std::vector<JointGap>& gaps) {
+    for (JointGap& gap : gaps) {
+      mirror(gap.joint);
+      gap.offset_m.x = -gap.offset_m.x;
+    }
+  };
+  for (PoseMatch& match : analysis.poses) mirror_gaps(match.joints);
+  for (FramePair& pair : analysis.worst_frames) mirror_gaps(pair.joints);
 }
 
-// The transition is part of the downswing: one of the two is told, the transition only when it is the cause.
-bool is_part_of_worse(const TimingResult& timing, std::size_t k) {
-  const auto weight = [&](std::size_t phase) {
-    return timing.severity[phase] * (timing.phases[phase].to == "impact" ? kTransitionIsCause : 1);
+// The transition is part of the downswing: one of the two is told, the transition only when the time was lost
+// there. A downswing that is quick throughout has a transition that is as quick.
+bool is_told_by_another(const TimingResult& timing, std::size_t k) {
+  constexpr double kTransitionIsCause = 1.4;
+  const auto find = [&](std::string_view to) {
+    return std::find_if(timing.phases.begin(), timing.phases.end(),
+                        [&](const TimingAdvice& phase) { return phase.from == "top" && phase.to == to; });
   };
-  for (std::size_t other = 0; other < timing.phases.size(); ++other)
-    if (other != k && timing.phases[other].from == timing.phases[k].from && weight(other) > weight(k))
-      return true;
-  return false;
+  const auto transition = find("mid_downswing"), downswing = find("impact");
+  if (transition == timing.phases.end() || downswing == timing.phases.end()) return false;
+  const double in_transition = std::log(transition->ratio / timing.pace),
+               in_downswing = std::log(downswing->ratio / timing.pace);
+  const bool is_cause = timing.severity[static_cast<std::size_t>(transition - timing.phases.begin())] >= 1 &&
+                        in_transition * in_downswing > 0 &&
+                        std::abs(in_transition) >= kTransitionIsCause * std::abs(in_downswing);
+  return timing.phases[k].from == "top" && (timing.phases[k].to == "impact") == is_cause;
 }
 
 std::vector<Advice> most_important(const Analysis& analysis, const TimingResult& timing, const Side& student,
@@ -80,11 +95,11 @@ std::vector<Advice> most_important(const Analysis& analysis, const TimingResult&
   std::vector<Advice> all;
   for (std::size_t k = 0; k < timing.phases.size(); ++k) {
     const TimingAdvice& phase = timing.phases[k];
-    if (timing.severity[k] < 1 || is_part_of_worse(timing, k)) continue;
+    if (timing.severity[k] < 1 || is_told_by_another(timing, k)) continue;
     all.push_back({AdviceKind::Timing, phase.advice,
                    student.track.nearest_frame(student.events->time_of(phase.to)),
                    coach.track.nearest_frame(coach.events->time_of(phase.to)), timing.severity[k],
-                   phase.fault, std::string(text::phase(phase.from, phase.to)), phase.to, phase.ratio - 1});
+                   phase.fault, std::string(phase_name(phase.from, phase.to)), phase.to, phase.ratio - 1});
   }
   for (const SpatialAdvice& spatial : analysis.spatial)
     all.push_back({AdviceKind::Spatial, spatial.advice, spatial.student_frame, spatial.coach_frame,
@@ -106,13 +121,15 @@ std::vector<Advice> most_important(const Analysis& analysis, const TimingResult&
 }
 
 void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrack& student,
-                 double usual_error) {
+                 const JointTrack& coach, double usual_error) {
   analysis.score = score_of(alignment, usual_error);
   analysis.score.groups = group_scores_of(alignment, usual_error);
   analysis.path = alignment.path;
   analysis.path_error_m = alignment.path_error_m;
   analysis.joint_errors = joint_errors_of(alignment);
   analysis.worst_frames = worst_frames_of(alignment, student, kWorstFramesApart_s);
+  for (FramePair& pair : analysis.worst_frames)
+    pair.joints = joints_apart(alignment, student.time(pair.student_frame), coach.time(pair.coach_frame));
 }
 
 void add_strokes(Analysis& analysis, const Side& student, const Side& coach, const Alignment& alignment,
@@ -120,8 +137,13 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
   const Viewpoint view = options.view;
   const JointTrack turned_coach =
       coach.track.mapped([&](const Vec3& p) { return turned(p, alignment.coach_yaw); });
-  const ComparedSwings swings{student.track, *student.events, turned_coach,      *coach.events,
-                              view,          student.sight,   options.strictness};
+  std::optional<JointTrack> himself;
+  if (options.coach_himself != nullptr)
+    if (Result<JointTrack> track = JointTrack::from_motion(*options.coach_himself))
+      himself = coach.hand == Handedness::Left ? track->mirrored() : *std::move(track);
+  const ComparedSwings swings{
+      student.track, *student.events, turned_coach,       *coach.events,
+      view,          student.sight,   options.strictness, himself ? &*himself : nullptr};
   analysis.student_events = student.events->events;
   analysis.student_takeaway_s = student.events->takeaway_s;
   TimingResult timing = find_timing_advice(swings, alignment);
@@ -150,9 +172,7 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
     return fail(ErrorCode::Unsupported, options.student_name + ": " + student->reason.message);
   if (student->events && student->events->kind != coach->events->kind)
     return fail(ErrorCode::Incomplete,
-                options.student_name + " is a " + std::string(to_string(student->events->kind)) + ", " +
-                    options.coach_name + " a " + std::string(to_string(coach->events->kind)) +
-                    "; choose a coach's motion of the same kind");
+                text::strokes_differ(options.student_name, student->events->kind, options.coach_name));
   const TimeWindow coach_window = stroke_window(*coach->events);
   const Alignment alignment =
       student->events
@@ -174,14 +194,14 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   analysis.coach_events = coach->events->events;
   analysis.coach_takeaway_s = coach->events->takeaway_s;
   analysis.coach_yaw = student->hand == Handedness::Left ? -alignment.coach_yaw : alignment.coach_yaw;
-  add_aligned(analysis, alignment, student->track, usual_film_error(options.view, coach->events->kind));
+  add_aligned(analysis, alignment, student->track, coach->track,
+              usual_film_error(options.view, coach->events->kind));
   if (student->events) {
     add_strokes(analysis, *student, *coach, alignment, options);
   } else if (analysis.score.percent < kLeastPercentWithoutEvents) {
     return fail(ErrorCode::Incomplete, options.student_name + ": " + student->reason.message);
   } else {
-    analysis.notes.push_back(
-        "The student's swing could not be divided into its parts: " + student->reason.message + ".");
+    analysis.notes.push_back(text::only_the_score(student->reason.message));
     analysis.advice = most_important(analysis, {}, *student, *coach);
   }
   if (student->hand == Handedness::Left) mirror_names(analysis);

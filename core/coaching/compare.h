@@ -19,6 +19,9 @@ struct CompareOptions {
   Viewpoint view = Viewpoint::AllSides;
   Sight sight = {};  // of the camera, in the world of the student's motion
   Strictness strictness = {};
+  // The coach's motion before it was carried over, frame by frame the same: the bend of his arms, which
+  // closing the grip of longer arms would change, is told from it. Right-handed where `coach` is.
+  const Motion* coach_himself = nullptr;
   // How error messages call the two.
   std::string student_name = "the student's motion", coach_name = "the coach's motion";
 };

@@ -3,6 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "core/coaching/body_axes.h"
+#include "core/coaching/hand_path.h"
+#include "core/coaching/signal.h"
+#include "core/coaching/timing_advice.h"
 
 namespace posecoach {
 namespace {
@@ -20,26 +27,28 @@ struct FeatureRow {
 constexpr auto kFace = Viewpoint::FaceOn, kLine = Viewpoint::DownTheLine;
 constexpr auto kSwing = StrokeKind::FullSwing, kPutt = StrokeKind::Putt;
 
+// Of films, only the place of something that folds or breaks is seen, not by how much.
+constexpr bool kNoSize = false;
+
 constexpr std::array kFeatureRows = {
-    FeatureRow{kFace, kSwing, "mid_backswing", ChestToTarget, {-0.068, 1.07, 0.045}},
-    FeatureRow{kFace, kSwing, "mid_backswing", ShoulderTilt, {26.2, 0.69, 7.5}},
-    FeatureRow{kFace, kSwing, "mid_backswing", LeadArmBend, {34.8, 0.65, 20}},
-    FeatureRow{kFace, kSwing, "top", HipsToTarget, {-0.006, 0.86, 0.05}},
-    FeatureRow{kFace, kSwing, "top", ChestToTarget, {-0.079, 0.99, 0.06}},
-    FeatureRow{kFace, kSwing, "mid_downswing", LeadArmBend, {30.8, 0.75, 22}},
-    FeatureRow{kFace, kSwing, "impact", HipsToTarget, {0.001, 0.86, 0.05}},
-    FeatureRow{kFace, kSwing, "impact", HeadUp, {0.034, 0.76, 0.06}},
-    FeatureRow{kFace, kSwing, "mid_follow_through", HandsPlace, {0.032, 0.81, 0.09}},
-    FeatureRow{kLine, kSwing, "top", ChestToBall, {0.004, 0.86, 0.045}},
-    FeatureRow{kLine, kSwing, "top", ShoulderTilt, {21.4, 0.77, 8}},
-    FeatureRow{kLine, kSwing, "mid_downswing", ChestToBall, {-0.015, 0.78, 0.04}},
-    FeatureRow{kLine, kSwing, "mid_downswing", HandsToBall, {0.012, 0.80, 0.055}},
-    FeatureRow{kLine, kSwing, "impact", HipsToBall, {-0.026, 0.90, 0.055}},
-    FeatureRow{kLine, kSwing, "impact", ChestToBall, {-0.012, 0.90, 0.05}},
-    FeatureRow{kLine, kSwing, "impact", HeadUp, {0.013, 0.83, 0.08}},
-    FeatureRow{kFace, kPutt, "top", HeadToTarget, {0.004, 0.82, 0.015}},
-    FeatureRow{kFace, kPutt, "end", HeadToTarget, {-0.005, 1.02, 0.03}},
-    FeatureRow{kFace, kPutt, "end", LeadWristBreak, {-8.9, 1.9, 20}},
+    FeatureRow{kFace, kSwing, "mid_backswing", ChestToTarget, {-0.068, 0.99, 0.045}},
+    FeatureRow{kFace, kSwing, "mid_backswing", ShoulderTilt, {25.4, 0.65, 9}},
+    FeatureRow{kFace, kSwing, "top", HipsToTarget, {-0.007, 0.86, 0.05}},
+    FeatureRow{kFace, kSwing, "top", ChestToTarget, {-0.082, 1.01, 0.06}},
+    FeatureRow{kFace, kSwing, "mid_downswing", LeadArmBend, {27.2, 0.68, 24}},
+    FeatureRow{kFace, kSwing, "impact", HipsToTarget, {-0.002, 0.89, 0.05}},
+    FeatureRow{kFace, kSwing, "impact", HeadUp, {0.034, 0.77, 0.06}},
+    FeatureRow{kFace, kSwing, "mid_follow_through", HandsPlace, {0.014, 0.86, 0.09, kNoSize}},
+    FeatureRow{kLine, kSwing, "top", ChestToBall, {0.004, 0.87, 0.045}},
+    FeatureRow{kLine, kSwing, "top", ShoulderTilt, {21.8, 0.74, 8.5}},
+    FeatureRow{kLine, kSwing, "mid_downswing", ChestToBall, {-0.014, 0.92, 0.04}},
+    FeatureRow{kLine, kSwing, "mid_downswing", HandsToBall, {0.012, 0.79, 0.055}},
+    FeatureRow{kLine, kSwing, "impact", HipsToBall, {-0.024, 0.88, 0.055}},
+    FeatureRow{kLine, kSwing, "impact", ChestToBall, {-0.015, 0.88, 0.05}},
+    FeatureRow{kLine, kSwing, "impact", HeadUp, {0.016, 0.82, 0.08, kNoSize}},
+    FeatureRow{kFace, kPutt, "top", HeadToTarget, {0.004, 0.84, 0.017}},
+    FeatureRow{kFace, kPutt, "end", HeadToTarget, {-0.001, 0.90, 0.03}},
+    FeatureRow{kFace, kPutt, "end", LeadWristBreak, {-8.9, 1.9, 20, kNoSize}},
 };
 
 struct EventRow {
@@ -50,17 +59,73 @@ struct EventRow {
 };
 
 constexpr std::array kEventRows = {
-    EventRow{kFace, kSwing, "takeaway", {0.022, 0.020}},
-    EventRow{kFace, kSwing, "top", {-0.014, 0.013}},
+    EventRow{kFace, kSwing, "address", {-0.012, 0.028}},
+    EventRow{kFace, kSwing, "takeaway", {0.020, 0.020}},
+    EventRow{kFace, kSwing, "toe_up", {-0.007, 0.014}},
+    EventRow{kFace, kSwing, "mid_backswing", {0.024, 0.019}},
+    EventRow{kFace, kSwing, "top", {-0.024, 0.010}},
     EventRow{kFace, kSwing, "mid_downswing", {-0.028, 0.005}},
     EventRow{kFace, kSwing, "impact", {0, 0.004}},
-    EventRow{kLine, kSwing, "takeaway", {0.086, 0.045}},
-    EventRow{kLine, kSwing, "top", {-0.023, 0.016}},
+    EventRow{kFace, kSwing, "mid_follow_through", {0.010, 0.006}},
+    EventRow{kLine, kSwing, "address", {0.042, 0.048}},
+    EventRow{kLine, kSwing, "takeaway", {0.083, 0.045}},
+    EventRow{kLine, kSwing, "toe_up", {0.067, 0.022}},
+    EventRow{kLine, kSwing, "mid_backswing", {-0.037, 0.010}},
+    EventRow{kLine, kSwing, "top", {-0.036, 0.009}},
     EventRow{kLine, kSwing, "mid_downswing", {-0.006, 0.005}},
-    EventRow{kLine, kSwing, "impact", {-0.019, 0.006}},
+    EventRow{kLine, kSwing, "impact", {-0.020, 0.006}},
+    EventRow{kLine, kSwing, "mid_follow_through", {-0.022, 0.014}},
     EventRow{kFace, kPutt, "takeaway", {-0.043, 0.030}},
-    EventRow{kFace, kPutt, "top", {-0.009, 0.038}},
-    EventRow{kFace, kPutt, "impact", {-0.027, 0.020}},
+    EventRow{kFace, kPutt, "top", {-0.024, 0.019}},
+    EventRow{kFace, kPutt, "impact", {-0.024, 0.015}},
+};
+
+struct MetricRow {
+  Viewpoint view;
+  std::string_view name;
+  MetricHabit habit;
+};
+
+constexpr std::array kMetricRows = {
+    MetricRow{kFace, "spine_side_address_deg", {0.4, 1.2}},
+    MetricRow{kFace, "spine_side_top_deg", {2.4, 2.6}},
+    MetricRow{kFace, "spine_side_impact_deg", {-1.0, 2.0}},
+    MetricRow{kFace, "sway_top_cm", {-0.6, 1.3}},
+    MetricRow{kFace, "slide_impact_cm", {-1.3, 2.1}},
+    MetricRow{kFace, "lift_top_cm", {3.2, 1.8}},
+    MetricRow{kFace, "lift_impact_cm", {3.4, 2.6}},
+    MetricRow{kFace, "head_sway_top_cm", {-0.5, 2.0}},
+    MetricRow{kFace, "head_lift_impact_cm", {3.5, 2.6}},
+    MetricRow{kFace, "stance_width_percent", {12.6, 12}},
+    MetricRow{kLine, "shoulder_turn_top_deg", {-1.9, 12}},
+    MetricRow{kLine, "hip_turn_top_deg", {3.3, 15}},
+    MetricRow{kLine, "x_factor_top_deg", {-5.3, 8}},
+    MetricRow{kLine, "shoulder_tilt_top_deg", {-3.3, 3.7}},
+    MetricRow{kLine, "spine_forward_address_deg", {0.7, 2.0}},
+    MetricRow{kLine, "spine_forward_change_deg", {-0.1, 3.0}},
+    MetricRow{kLine, "lift_top_cm", {-2.7, 3.0}},
+    MetricRow{kLine, "lift_impact_cm", {0.1, 3.8}},
+    MetricRow{kLine, "thrust_impact_cm", {-2.7, 2.5}},
+    MetricRow{kLine, "hand_path_cm", {3.8, 3.7}},
+    MetricRow{kLine, "head_lift_impact_cm", {2.0, 5.2}},
+    MetricRow{kLine, "lead_knee_flex_address_deg", {-3.0, 3.0}},
+    MetricRow{kLine, "trail_knee_flex_address_deg", {-2.2, 2.0}},
+};
+
+struct PhaseRow {
+  Viewpoint view;
+  StrokeKind kind;
+  std::string_view from, to;
+  PhaseHabit habit;
+};
+
+constexpr std::array kPhaseRows = {
+    PhaseRow{kFace, kSwing, "takeaway", "top", {0.041, 1, 0}},
+    PhaseRow{kFace, kSwing, "top", "mid_downswing", {0.093, 0.75, 0.30}},
+    PhaseRow{kFace, kSwing, "top", "impact", {-0.045, 1, 0}},
+    PhaseRow{kLine, kSwing, "takeaway", "top", {0.046, 1, 0}},
+    PhaseRow{kLine, kSwing, "top", "mid_downswing", {0.103, 0.80, 0.28}},
+    PhaseRow{kLine, kSwing, "top", "impact", {-0.040, 1, 0}},
 };
 
 std::optional<FeatureHabit> row_of(Viewpoint view, StrokeKind kind, std::string_view event, Feature feature) {
@@ -70,16 +135,51 @@ std::optional<FeatureHabit> row_of(Viewpoint view, StrokeKind kind, std::string_
   return std::nullopt;
 }
 
-// From in front, the hands go on backwards in depth while they seem to turn back already; the whole body
-// knows better. Where it says something quite different, the student's top is another than the coach's, and
-// the hands are believed.
-double top_of(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment,
-              Viewpoint view) {
+// Seconds to each side of the hands' turn that its middle is read from.
+constexpr double kSwingTurn_s = 0.12, kPuttTurn_s = 0.2;
+
+std::vector<double> along(const std::vector<Vec3>& positions, const Vec3& direction) {
+  std::vector<double> values;
+  values.reserve(positions.size());
+  for (const Vec3& p : positions) values.push_back(glm::dot(p, direction));
+  return values;
+}
+
+// From an angle the whole body knows better than the hands where the top is. Where it says something quite
+// different, the student's top is another than the coach's, and the hands are believed.
+double answered_top(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment) {
   constexpr double kMostShift = 0.2;  // of the backswing
-  const double seen = found.time_of("top");
-  if (view == kLine) return seen;
-  const double answered = alignment.student_time(coach.time_of("top"));
+  const double seen = found.time_of("top"), answered = alignment.student_time(coach.time_of("top"));
   return std::abs(answered - seen) < kMostShift * (seen - found.takeaway_s) ? answered : seen;
+}
+
+// The middle of the hands' turn: from in front of a swing how high they are tells it (the depth of the hands
+// hides the rest), from down the line how far they are from where they rested, and over a putt their way to
+// the target.
+double turn_of_hands(const SwingEvents& found, const JointTrack& student, const Sight& sight, Viewpoint view,
+                     double slow) {
+  const HandPath path = make_hand_path(student, sight);
+  const auto sample = [&path](double time_s) {
+    return std::clamp(static_cast<int>(std::lround((time_s - path.begin_s) * kHandPathRate)), 0,
+                      path.count() - 1);
+  };
+  const int from = sample(found.time_of("top") - 2 * kSwingTurn_s * slow),
+            to = sample(found.time_of("top") + 2 * kSwingTurn_s * slow);
+  const bool is_putt = found.kind == kPutt;
+  std::vector<double> way;
+  if (is_putt) {
+    const BodyAxes axes = body_axes(student, student.time(0), student.duration());
+    way = along(path.hands, -axes.left);
+  } else if (view == kFace) {
+    way = path.height;
+  } else {
+    const Vec3 rest = path.hands[static_cast<std::size_t>(sample(found.time_of("address")))];
+    for (const Vec3& hands : path.hands) way.push_back(glm::distance(hands, rest));
+  }
+  const int highest = index_of_largest(way, from, to);
+  const double half = (is_putt ? kPuttTurn_s : kSwingTurn_s) * slow * kHandPathRate;
+  const int degree = !is_putt && view == kFace ? 3 : 2;
+  return path.time(peak_of_curve(way, highest, half, degree));
 }
 
 }  // namespace
@@ -90,7 +190,7 @@ std::optional<FeatureHabit> feature_habit(Viewpoint view, StrokeKind kind, std::
   const auto face = row_of(kFace, kind, event, feature), line = row_of(kLine, kind, event, feature);
   if (!face || !line) return std::nullopt;
   return FeatureHabit{0.5 * (face->usual_error + line->usual_error), 0.5 * (face->gain + line->gain),
-                      std::max(face->clear, line->clear)};
+                      std::max(face->clear, line->clear), face->is_size_known && line->is_size_known};
 }
 
 EventHabit event_habit(Viewpoint view, StrokeKind kind, std::string_view event) {
@@ -100,18 +200,37 @@ EventHabit event_habit(Viewpoint view, StrokeKind kind, std::string_view event) 
   return {};
 }
 
+std::optional<MetricHabit> metric_habit(Viewpoint view, std::string_view name) {
+  for (const MetricRow& row : kMetricRows)
+    if (row.view == view && row.name == name) return row.habit;
+  return std::nullopt;
+}
+
+std::optional<PhaseHabit> phase_habit(Viewpoint view, StrokeKind kind, std::string_view from,
+                                      std::string_view to) {
+  for (const PhaseRow& row : kPhaseRows)
+    if (row.view == view && row.kind == kind && row.from == from && row.to == to) return row.habit;
+  return std::nullopt;
+}
+
 SwingEvents events_put_right(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment,
                              const JointTrack& student, Viewpoint view) {
   if (!is_one_camera(view)) return found;
   SwingEvents right = found;
-  const auto habit = [&](std::string_view event) { return event_habit(view, found.kind, event).late_s; };
+  // Habits of time grow with it.
+  const double slow = std::max(1.0, pace_of(found, coach));
+  const auto habit = [&](std::string_view event) {
+    return slow * event_habit(view, found.kind, event).late_s;
+  };
   for (SwingEvent& event : right.events) {
-    if (event.name == "top") event.time_s = top_of(found, coach, alignment, view);
+    if (event.name == "top")
+      event.time_s = view == Viewpoint::Between ? answered_top(found, coach, alignment)
+                                                : turn_of_hands(found, student, alignment.sight, view, slow);
     event.time_s -= habit(event.name);
   }
   right.takeaway_s = std::max(0.0, right.takeaway_s - habit("takeaway"));
   SwingEvent& address = right.events.front();
-  address.time_s = std::min(address.time_s, right.takeaway_s);
+  address.time_s = std::max(0.0, std::min(address.time_s, right.takeaway_s));
   const auto is_not_after = [](const SwingEvent& a, const SwingEvent& b) { return b.time_s <= a.time_s; };
   if (std::adjacent_find(right.events.begin(), right.events.end(), is_not_after) != right.events.end())
     return found;

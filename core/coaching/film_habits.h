@@ -20,6 +20,7 @@ struct FeatureHabit {
   double gain = 1;
   // From which on a difference is clear: faultless strokes, and those with another fault, stay below it.
   double clear = 0;
+  bool is_size_known = true;  // else only that it is there, not by how much
 
   double truth_from(double seen) const { return (seen - usual_error) / gain; }
 };
@@ -27,15 +28,34 @@ struct FeatureHabit {
 std::optional<FeatureHabit> feature_habit(Viewpoint view, StrokeKind kind, std::string_view event,
                                           Feature feature);
 
+// What a metric is read off by from this side, and how much that wavers (two standard deviations), in its
+// unit.
+struct MetricHabit {
+  double usual_error = 0, plus_minus = 0;
+};
+// Nothing where it was not measured from this side.
+std::optional<MetricHabit> metric_habit(Viewpoint view, std::string_view name);
+
 // How much later than it is an event is found, and how much that wavers, seconds.
 struct EventHabit {
   double late_s = 0, spread_s = 0.03;
 };
 EventHabit event_habit(Viewpoint view, StrokeKind kind, std::string_view event);
 
-// The events of a student seen by one camera, put right: the top, which the depth of the hands hides from in
-// front, as the alignment answers the coach's, and every habit taken off. Unchanged where that would put them
-// out of order, and where every side was seen.
+// How a phase's time, as a part of the coach's, shows: seen - 1 = usual_error + gain * (truth - 1). The top
+// of a film is the middle of a slow turn, and moves towards the slower side of it.
+struct PhaseHabit {
+  double usual_error = 0, gain = 1;
+  // From which on it is too quick, and a slow one is not told; 0: as for motion capture.
+  double clear = 0;
+};
+// Nothing for phases that are read as they are.
+std::optional<PhaseHabit> phase_habit(Viewpoint view, StrokeKind kind, std::string_view from,
+                                      std::string_view to);
+
+// The events of a student seen by one camera, put right: the top, which trembling hands blur, as the middle
+// of their turn over a longer time (from an angle: as the alignment answers the coach's), and every habit
+// taken off. Unchanged where that would put them out of order, and where every side was seen.
 SwingEvents events_put_right(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment,
                              const JointTrack& student, Viewpoint view);
 

@@ -4,6 +4,7 @@
 
 #include "core/coaching/signal.h"
 #include "core/coaching/stroke_search.h"
+#include "core/coaching/text/refusal_text.h"
 
 namespace posecoach {
 namespace {
@@ -40,20 +41,19 @@ Result<StrokeMoments> find_full_swing(const HandPath& path, const SwingBow& bow,
   const int before = index_of_smallest(path.height, 0, bow.top);
   const double half_height = 0.5 * (path.height[at(before)] + path.height[at(bow.top)]);
   const auto half_up = crossing(path.height, bow.top, before, half_height);
-  if (!half_up) return fail(ErrorCode::Incomplete, "the motion starts in the middle of the backswing");
+  if (!half_up) return fail(ErrorCode::Incomplete, text::begins_in_the_backswing());
   const int rising = static_cast<int>(*half_up);
   const double back_speed =
       path.unweighted_speed[at(index_of_largest(path.unweighted_speed, rising, bow.top))];
   const auto start = find_start(path, rising, back_speed);
-  if (!start)
-    return fail(ErrorCode::Incomplete, "the hands never rest before the backswing, so its start is not seen");
+  if (!start) return fail(ErrorCode::Incomplete, text::no_rest_before_the_stroke());
 
   const std::vector<double> way = distance_from_rest(path, *start);
   const int top = index_of_largest(way, rising, bow.low);
   const auto half_down = crossing(path.height, top, bow.low, half_height);
-  if (!half_down) return fail(ErrorCode::Incomplete, "the hands do not come down again after the top");
+  if (!half_down) return fail(ErrorCode::Incomplete, text::hands_stay_up());
   const int impact = index_of_smallest(way, static_cast<int>(*half_down), bow.follow);
-  if (impact >= bow.follow) return fail(ErrorCode::Incomplete, "the motion ends before impact");
+  if (impact >= bow.follow) return fail(ErrorCode::Incomplete, text::ends_before_impact());
 
   const std::vector<double> lead = elevation_deg(lead_arms), both = elevation_deg(path.arms);
   const int address = static_cast<int>(start->address);

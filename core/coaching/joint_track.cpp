@@ -6,6 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/body/mirror.h"
+#include "core/coaching/text/refusal_text.h"
 
 namespace posecoach {
 namespace {
@@ -28,12 +29,9 @@ Result<JointTrack> JointTrack::from_motion(const Motion& motion) {
   std::string missing;
   for (const HumanoidJoint joint : kNeeded)
     if (!skeleton.has(joint)) missing += (missing.empty() ? "" : ", ") + std::string(to_string(joint));
-  if (!missing.empty())
-    return fail(ErrorCode::Incomplete, "the body has no " + missing + ", which a swing is judged by");
+  if (!missing.empty()) return fail(ErrorCode::Incomplete, text::no_such_joints(missing));
   if (motion.frame_count() < kFewestFrames)
-    return fail(ErrorCode::Incomplete, "a motion of " + std::to_string(motion.frame_count()) +
-                                           " frames is too short for a swing; at least " +
-                                           std::to_string(kFewestFrames) + " are needed");
+    return fail(ErrorCode::Incomplete, text::too_few_frames_to_analyse(motion.frame_count(), kFewestFrames));
   JointTrack track;
   for (const HumanoidJoint joint : kHumanoidJoints)
     if (skeleton.has(joint) || joint == Pelvis || joint == Neck) track.add_joint(joint);

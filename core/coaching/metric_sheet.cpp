@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/coaching/advice_text.h"
-#include "core/coaching/metric_text.h"
+#include "core/coaching/film_habits.h"
 #include "core/coaching/part_differences.h"
 #include "core/coaching/posture.h"
+#include "core/coaching/text/metric_text.h"
 
 namespace posecoach {
 namespace {
@@ -23,6 +23,7 @@ Metric blank(std::string_view name) {
   // A putt's tempo has figures of its own, and the name of any tempo.
   constexpr std::string_view kPutt = "putt_";
   metric.name = name.starts_with(kPutt) ? name.substr(kPutt.size()) : name;
+  metric.title = words.title;
   metric.unit = words.unit;
   metric.definition = words.definition;
   if (words.usual) metric.usual = {words.usual->low, words.usual->high};
@@ -68,16 +69,24 @@ void MetricSheet::add(const MetricRule& rule, const JointTrack& seen,
                       std::initializer_list<HumanoidJoint> joints, const Measure& measure) {
   Metric metric = blank(rule.name);
   metric.plus_minus = is_one_camera(view_) ? rule.plus_minus_one_camera : rule.plus_minus;
+  const auto habit =
+      student_.events.kind == StrokeKind::FullSwing ? metric_habit(view_, rule.name) : std::nullopt;
+  if (habit) metric.plus_minus = std::max(metric.plus_minus, habit->plus_minus);
+  const double usual_error = habit ? habit->usual_error : 0;
   metric.reason = hidden_by(rule.needs, view_);
   const bool is_hidden = std::any_of(joints.begin(), joints.end(), [&](HumanoidJoint joint) {
     return seen.confidence(0, joint) < kLeastConfidence;
   });
-  if (metric.reason.empty() && is_hidden) metric.reason = text::hidden_joints("a joint is");
+  const bool is_measured_side = view_ == Viewpoint::FaceOn || view_ == Viewpoint::DownTheLine;
+  if (metric.reason.empty() && is_measured_side && !habit && student_.events.kind == StrokeKind::FullSwing)
+    metric.reason = text::not_from_this_side();
+  if (metric.reason.empty() && is_hidden) metric.reason = text::joint_hidden();
   if (metric.reason.empty() && is_one_camera(view_)) {
-    const double value = measure(student_);
+    const double value = measure(student_) - usual_error;
     if (value < rule.least || value > rule.most) metric.reason = text::implausible(value, metric.unit);
   }
   enter(std::move(metric), measure);
+  metrics_.back().value -= usual_error;
 }
 
 void MetricSheet::add_time(std::string_view name, double relative_uncertainty, const Measure& measure) {
@@ -92,6 +101,11 @@ void MetricSheet::enter(Metric metric, const Measure& measure) {
   metric.coach = measure(coach_);
   metric.value = measure(student_);
   metrics_.push_back(std::move(metric));
+}
+
+bool MetricSheet::is_available(std::string_view name) const {
+  return std::any_of(metrics_.begin(), metrics_.end(),
+                     [name](const Metric& metric) { return metric.name == name && metric.available; });
 }
 
 void MetricSheet::grey(std::string reason) {

@@ -31,7 +31,7 @@ struct Stroke {
 enum class Needs { Nothing, TargetDirection, BallDirection, AllSides };
 
 struct MetricRule {
-  std::string_view name;  // of core/coaching/metric_text.h
+  std::string_view name;  // of core/coaching/text/metric_text.h
   Needs needs = Needs::Nothing;
   double plus_minus = 0;             // of motion capture
   double plus_minus_one_camera = 0;  // of a film from a good side
@@ -54,6 +54,8 @@ class MetricSheet {
            const Measure& measure);
   // A time, or a ratio of times, known to this part of itself.
   void add_time(std::string_view name, double relative_uncertainty, const Measure& measure);
+  // Whether this one, entered before, can be told.
+  bool is_available(std::string_view name) const;
   // The last metric entered cannot be told after all.
   void grey(std::string reason);
   // What the last metric entered says in words.

@@ -61,7 +61,7 @@ class Differences {
   }
 
   void add(Feature feature, double amount, const Vec3& by, double share, double confidence) {
-    found_.push_back({feature, amount, in_axes(axes_, by), share, confidence});
+    found_.push_back({feature, amount, in_axes(axes_, by), share, confidence, true});
   }
 
   // A displacement as three features, one a direction.

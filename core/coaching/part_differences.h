@@ -49,6 +49,7 @@ struct PartDifference {
   Vec3 offset;            // left, up, front components of the displacement that it stands for, metres
   double share = 0;       // of the summed joint error of the moment
   double confidence = 1;  // of the joints that it was read from
+  bool is_size_known = true;
 };
 
 // What one moment of a track looks like, averaged over a short time around it.

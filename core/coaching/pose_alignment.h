@@ -11,6 +11,10 @@
 
 namespace posecoach {
 
+// The joints that a golfer can be told about and that are clearly apart, with the feet at address in one
+// place: at most three, farthest first, the two hands as one. Times are the motions' own.
+std::vector<JointGap> joints_apart(const Alignment& alignment, double student_s, double coach_s);
+
 // Of the coach's events in their order. Times count from each one's own takeaway.
 std::vector<PoseMatch> match_poses(const ComparedSwings& swings, const Alignment& alignment);
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/coaching/advice_text.h"
 #include "core/coaching/metric_sheet.h"
 #include "core/coaching/part_differences.h"
 #include "core/coaching/posture.h"
+#include "core/coaching/text/metric_text.h"
 
 namespace posecoach {
 namespace {

@@ -3,12 +3,14 @@
 
 #include "core/coaching/signal.h"
 #include "core/coaching/stroke_search.h"
+#include "core/coaching/text/refusal_text.h"
 
 namespace posecoach {
 namespace {
 
 // A putter's hands move at least this far there and back, metres.
 constexpr double kLeastStroke_m = 0.04;
+constexpr double kTrembling_s = 0.06;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -33,22 +35,28 @@ Result<StrokeMoments> find_putt(const HandPath& path, const std::vector<double>&
       end = to;
     }
   }
-  if (top < 0)
-    return fail(ErrorCode::Incomplete,
-                "the hands neither swing up and down nor back and forth: no stroke is seen");
+  if (top < 0) return fail(ErrorCode::Incomplete, text::no_stroke_seen());
   // Going back from the top to where the hands are fastest on their way there.
   int before = top;
   for (const Extreme& turn : turns)
     if (turn.is_peak && turn.index < top) before = turn.index;
   if (before == top) before = 0;
   const int moving = index_of_largest(path.speed, before, top);
-  const auto start = find_start(path, moving, path.speed[at(moving)]);
-  if (!start)
-    return fail(ErrorCode::Incomplete, "the hands never rest before the stroke, so its start is not seen");
+  // A putt starts across the line of sight or is not seen at all: depth would only tremble.
+  HandPath seen = path;
+  seen.unweighted_hands = path.hands;
+  seen.unweighted_speed = path.speed;
+  auto start = find_start(seen, moving, path.speed[at(moving)]);
+  if (!start) {
+    // A webcam's hands may tremble as fast as a putter moves: over a longer time they rest.
+    seen.unweighted_hands = smoothed(path.hands, kTrembling_s * kHandPathRate);
+    seen.unweighted_speed = speed_of(seen.unweighted_hands, kHandPathRate);
+    start = find_start(seen, moving, path.speed[at(moving)]);
+  }
+  if (!start) return fail(ErrorCode::Incomplete, text::no_rest_before_the_stroke());
   const double address = value_at(forward, start->address);
   const auto impact = crossing(forward, top, end, address);
-  if (!impact)
-    return fail(ErrorCode::Incomplete, "the hands do not come back to the ball: impact is not seen");
+  if (!impact) return fail(ErrorCode::Incomplete, text::hands_do_not_come_back());
   const double rest = find_rest(path, index_of_largest(path.speed, static_cast<int>(*impact), end), fastest);
   StrokeMoments found;
   found.takeaway = start->takeaway;

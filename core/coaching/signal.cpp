@@ -1,8 +1,12 @@
 #include "core/coaching/signal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/base/assert.h"
 
 namespace posecoach {
 namespace {
@@ -60,6 +64,46 @@ double vertex_near(const std::vector<double>& values, int i) {
   const double a = values[at(i - 1)], b = values[at(i)], c = values[at(i + 1)];
   const double bend = a - 2 * b + c;
   return bend == 0 ? i : i + std::clamp(0.5 * (a - c) / bend, -1.0, 1.0);
+}
+
+double peak_of_curve(const std::vector<double>& values, int i, double half, int degree) {
+  POSECOACH_ASSERT(half >= degree && (degree == 2 || degree == 3));
+  constexpr int kMostTerms = 4;
+  const int terms = degree + 1, last = static_cast<int>(values.size()) - 1;
+  const int first = std::max(0, static_cast<int>(std::ceil(i - half))),
+            end = std::min(last, static_cast<int>(std::floor(i + half)));
+  if (end - first < degree) return i;
+  // Normal equations, the right side in the last column.
+  std::array<std::array<double, kMostTerms + 1>, kMostTerms> rows{};
+  for (int k = first; k <= end; ++k) {
+    std::array<double, kMostTerms> power{1};
+    for (std::size_t term = 1; term < kMostTerms; ++term) power[term] = power[term - 1] * (k - i) / half;
+    for (std::size_t row = 0; row < at(terms); ++row) {
+      for (std::size_t column = 0; column < at(terms); ++column)
+        rows[row][column] += power[row] * power[column];
+      rows[row][kMostTerms] += power[row] * values[at(k)];
+    }
+  }
+  // Positive definite: no pivoting is needed.
+  for (std::size_t pivot = 0; pivot < at(terms); ++pivot)
+    for (std::size_t row = 0; row < at(terms); ++row) {
+      if (row == pivot) continue;
+      const double factor = rows[row][pivot] / rows[pivot][pivot];
+      for (std::size_t column = 0; column <= kMostTerms; ++column)
+        rows[row][column] -= factor * rows[pivot][column];
+    }
+  constexpr int kPlaces = 200;
+  double best = i, highest = -std::numeric_limits<double>::infinity();
+  for (int place = 0; place <= kPlaces; ++place) {
+    const double t = ((end - first) * static_cast<double>(place) / kPlaces + first - i) / half;
+    double value = 0, power = 1;
+    for (std::size_t term = 0; term < at(terms); ++term, power *= t)
+      value += power * rows[term][kMostTerms] / rows[term][term];
+    if (value <= highest) continue;
+    highest = value;
+    best = i + t * half;
+  }
+  return best;
 }
 
 int index_of_largest(const std::vector<double>& values, int first, int last) {

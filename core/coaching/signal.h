@@ -19,6 +19,10 @@ std::vector<double> speed_of(const std::vector<Vec3>& positions, double rate);
 // Vertex of the parabola through samples i - 1, i, i + 1, in samples; i itself at the ends or on a line.
 double vertex_near(const std::vector<double>& values, int i);
 
+// Where the polynomial of this degree (2 or 3) that fits the values around `i` best, as far as `half` samples
+// to each side, is highest; in fractional samples, within that reach. For peaks that noise has made flat.
+double peak_of_curve(const std::vector<double>& values, int i, double half, int degree);
+
 // Indices of the largest and smallest value in [first, last].
 int index_of_largest(const std::vector<double>& values, int first, int last);
 int index_of_smallest(const std::vector<double>& values, int first, int last);

@@ -7,11 +7,12 @@
 #include <map>
 #include <string>
 
-#include "core/coaching/advice_text.h"
 #include "core/coaching/film_habits.h"
 #include "core/coaching/known_fault.h"
 #include "core/coaching/part_differences.h"
+#include "core/coaching/posture.h"
 #include "core/coaching/score.h"
+#include "core/coaching/text/advice_text.h"
 
 namespace posecoach {
 namespace {
@@ -135,10 +136,27 @@ double size_of(const PartDifference& difference, const FeatureRule& rule, const 
 std::vector<PartDifference> differences_at(const ComparedSwings& swings, std::string_view event,
                                            const BodyAxes& axes, Anchor anchor) {
   const bool is_putt = swings.student_events.kind == StrokeKind::Putt;
-  return part_differences(moment_of(swings.student, swings.student_events.time_of(event)),
-                          moment_of(swings.coach, swings.coach_events.time_of(event)), axes,
-                          {anchor, is_putt ? HeadOver::Feet : HeadOver::Shoulders,
-                           is_one_camera(swings.view) ? ArmAxes::World : ArmAxes::Chest});
+  std::vector<PartDifference> differences =
+      part_differences(moment_of(swings.student, swings.student_events.time_of(event)),
+                       moment_of(swings.coach, swings.coach_events.time_of(event)), axes,
+                       {anchor, is_putt ? HeadOver::Feet : HeadOver::Shoulders,
+                        is_one_camera(swings.view) ? ArmAxes::World : ArmAxes::Chest});
+  // With the club at the ball a body's own reach bends his arms, the coach's in that body as his.
+  if (swings.coach_himself == nullptr || event == "address" || event == "impact") return differences;
+  const JointTrack student = moment_of(swings.student, swings.student_events.time_of(event)),
+                   coach = moment_of(*swings.coach_himself, swings.coach_events.time_of(event));
+  const auto arm_bend = [](const JointTrack& body, bool is_lead) {
+    return is_lead ? bend_deg(body, 0, HumanoidJoint::LeftShoulder, HumanoidJoint::LeftElbow,
+                              HumanoidJoint::LeftWrist)
+                   : bend_deg(body, 0, HumanoidJoint::RightShoulder, HumanoidJoint::RightElbow,
+                              HumanoidJoint::RightWrist);
+  };
+  for (PartDifference& difference : differences) {
+    const bool is_lead = difference.feature == Feature::LeadArmBend;
+    if (is_lead || difference.feature == Feature::TrailArmBend)
+      difference.amount = arm_bend(student, is_lead) - arm_bend(coach, is_lead);
+  }
+  return differences;
 }
 
 // A webcam's body is not quite the golfer's, and its pose model has habits: what is off from address on may
@@ -155,7 +173,9 @@ void put_right(std::vector<PartDifference>& differences, const ComparedSwings& s
     difference.offset -= before[k].offset;
     // A displacement along one direction is as long as its amount.
     if (rule.direction != Direction::Any && std::abs(seen) > 1e-9) difference.offset *= right / seen;
-    difference.amount = right;
+    // A distance is none below what is usual.
+    difference.amount = difference.feature == Feature::HandsPlace ? std::max(0.0, right) : right;
+    difference.is_size_known = !habit || habit->is_size_known;
   }
 }
 
@@ -275,8 +295,7 @@ SpatialAdvice to_advice(const Candidate& candidate, const ComparedSwings& swings
   advice.amount = candidate.difference.amount;
   advice.fault =
       known_fault(candidate.difference.feature, advice.amount, candidate.event, swings.student_events.kind);
-  advice.advice =
-      text::with_fault_name(text::spatial(candidate.difference, candidate.event, swings.view), advice.fault);
+  advice.advice = text::spatial(candidate.difference, candidate.event, advice.fault, swings.view);
   return advice;
 }
 

@@ -21,6 +21,9 @@ struct ComparedSwings {
   Viewpoint view = Viewpoint::AllSides;
   Sight sight = {};
   Strictness strictness = {};
+  // The coach in his own body, at the same times: how far his arms are bent away from the ball, which closing
+  // the grip in another body changes. None: `coach` tells that, too.
+  const JointTrack* coach_himself = nullptr;
 };
 
 // Clear differences only, the most important first: by how far beyond the ordinary it is and how much of the

@@ -3,7 +3,9 @@
 #include <charconv>
 #include <optional>
 
-#include "core/coaching/advice_text.h"
+#include "core/coaching/text/advice_text.h"
+#include "core/coaching/text/name_text.h"
+#include "core/coaching/text/refusal_text.h"
 
 namespace posecoach {
 namespace {
@@ -17,11 +19,7 @@ std::optional<JudgedPart> part_from(std::string_view name) {
 }
 
 tl::unexpected<Error> wrong(std::string_view setting) {
-  return fail(
-      ErrorCode::InvalidArgument,
-      "\"" + std::string(setting) +
-          "\" is no strictness: write hips, trunk, head, arms, legs, timing or all, = and a number from "
-          "0 to 10, as in arms=2,legs=0");
+  return fail(ErrorCode::InvalidArgument, text::no_strictness(setting));
 }
 
 }  // namespace
@@ -56,7 +54,7 @@ Result<Strictness> Strictness::parse(std::string_view text) {
 std::string Strictness::words() const {
   std::string harder, softer, never;
   const auto add = [](std::string& list, JudgedPart part) {
-    list += (list.empty() ? "" : ", ") + std::string(to_string(part));
+    list += (list.empty() ? "" : ", ") + std::string(text::judged_part(part));
   };
   for (const JudgedPart part : kJudgedParts) {
     if (of(part) == 0)

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/coaching/advice_text.h"
 #include "core/coaching/posture.h"
+#include "core/coaching/text/refusal_text.h"
 
 namespace posecoach {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/coaching/signal.h"
 #include "core/coaching/stroke_check.h"
 #include "core/coaching/stroke_search.h"
+#include "core/coaching/text/refusal_text.h"
 
 namespace posecoach {
 namespace {
@@ -104,9 +105,7 @@ Result<SwingEvents> find_swing_events(const JointTrack& track, const Segmentatio
   }
   for (std::size_t k = 1; k < swing.events.size(); ++k)
     if (swing.events[k].time_s <= swing.events[k - 1].time_s)
-      return fail(ErrorCode::Incomplete,
-                  "the moments of the stroke do not follow each other: " + swing.events[k].name +
-                      " would come before " + swing.events[k - 1].name);
+      return fail(ErrorCode::Incomplete, text::out_of_order(swing.events[k].name, swing.events[k - 1].name));
   if (const Result<void> checked = check_stroke(track, swing, options.sight); !checked)
     return tl::unexpected(checked.error());
   return swing;

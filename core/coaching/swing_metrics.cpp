@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/coaching/advice_text.h"
 #include "core/coaching/kinematic_sequence.h"
 #include "core/coaching/metric_sheet.h"
 #include "core/coaching/part_differences.h"
 #include "core/coaching/posture.h"
+#include "core/coaching/text/metric_text.h"
 
 namespace posecoach {
 namespace {
@@ -47,6 +47,9 @@ void add_turns(MetricSheet& sheet) {
   sheet.add({"x_factor_top_deg", Needs::Nothing, 4, 16, 10, 80}, s.top,
             {LeftShoulder, RightShoulder, LeftHip, RightHip},
             [](const Stroke& b) { return x_factor(b, b.top); });
+  // A difference is no better than what it is made of.
+  for (const std::string_view turn : {"shoulder_turn_top_deg", "hip_turn_top_deg"})
+    if (!sheet.is_available(turn)) sheet.grey(text::not_without(text::metric(turn).title));
   sheet.add({"x_factor_stretch_deg", Needs::AllSides, 3, 16}, s.top,
             {LeftShoulder, RightShoulder, LeftHip, RightHip}, x_factor_stretch);
   sheet.add({"shoulder_tilt_top_deg", Needs::Nothing, 2, 10}, s.top, {LeftShoulder, RightShoulder},

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "core/coaching/advice_text.h"
 #include "core/coaching/film_habits.h"
 #include "core/coaching/known_fault.h"
+#include "core/coaching/text/advice_text.h"
 
 namespace posecoach {
 namespace {
@@ -28,12 +28,36 @@ constexpr std::array<Phase, 4> kFullSwing = {
     {{"takeaway", "top"}, {"top", "mid_downswing"}, {"top", "impact"}, {"impact", "finish"}}};
 constexpr std::array<Phase, 3> kPutt = {{{"takeaway", "top"}, {"top", "impact"}, {"impact", "end"}}};
 
+// What the phase takes, where a film shows it longer or shorter than it is.
+void put_right(TimingAdvice& phase, const PhaseHabit& habit, double pace) {
+  constexpr double kLeast = 0.2;
+  const double should_s = phase.coach_s * pace;
+  const double seen = phase.student_s / should_s,
+               truth = std::max(kLeast, 1 + (seen - 1 - habit.usual_error) / habit.gain);
+  phase.student_s = truth * should_s;
+  phase.ratio = phase.student_s / phase.coach_s;
+  phase.plus_minus /= habit.gain;
+}
+
 }  // namespace
 
-double event_uncertainty_s(const JointTrack& track, Viewpoint view, StrokeKind kind, std::string_view event) {
+std::string_view phase_name(std::string_view from, std::string_view to) {
+  if (to == "top") return "backswing";
+  if (from == "top") return to == "mid_downswing" ? "transition" : "downswing";
+  return "follow-through";
+}
+
+double pace_of(const SwingEvents& student, const SwingEvents& coach) {
+  const auto whole = [](const SwingEvents& events) { return events.time_of("impact") - events.takeaway_s; };
+  const double ratio = whole(student) / std::max(1e-3, whole(coach));
+  return ratio > kOtherPace || ratio < 1 / kOtherPace ? ratio : 1;
+}
+
+double event_uncertainty_s(const JointTrack& track, Viewpoint view, StrokeKind kind, std::string_view event,
+                           double pace) {
   const double rate = track.frame_rate(), frame_s = rate > 0 ? 1 / rate : 0;
   if (!is_one_camera(view)) return std::max(kLeastOff_s, kFramesOff * frame_s);
-  return std::hypot(event_habit(view, kind, event).spread_s, kFramesOffOneCamera * frame_s);
+  return std::hypot(pace * event_habit(view, kind, event).spread_s, kFramesOffOneCamera * frame_s);
 }
 
 TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& alignment) {
@@ -43,9 +67,8 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
   const auto duration = [](const SwingEvents& events, const Phase& phase) {
     return events.time_of(phase.second) - events.time_of(phase.first);
   };
-  const Phase whole{"takeaway", "impact"};
-  result.pace = duration(student, whole) / std::max(1e-3, duration(coach, whole));
-  result.in_proportion = result.pace > kOtherPace || result.pace < 1 / kOtherPace;
+  result.pace = pace_of(student, coach);
+  result.in_proportion = result.pace != 1;
   const double coach_off_s = event_uncertainty_s(swings.coach, Viewpoint::AllSides, coach.kind, {});
   const std::span<const Phase> phases =
       student.kind == StrokeKind::Putt ? std::span<const Phase>(kPutt) : kFullSwing;
@@ -54,7 +77,7 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
     const bool is_end_known = student.is_end_seen && coach.is_end_seen && !is_one_camera(swings.view);
     if (phase.first == "impact" && !is_end_known) continue;
     const auto off_s = [&](std::string_view event) {
-      return event_uncertainty_s(swings.student, swings.view, student.kind, event);
+      return event_uncertainty_s(swings.student, swings.view, student.kind, event, result.pace);
     };
     TimingAdvice advice;
     advice.from = phase.first;
@@ -69,11 +92,12 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
     const double along_path = alignment.student_time(coach.time_of(phase.second)) -
                               alignment.student_time(coach.time_of(phase.first));
     advice.path_ratio = along_path / advice.coach_s;
-    const double relative = result.in_proportion ? advice.ratio / result.pace : advice.ratio;
-    const double relative_on_path =
-        result.in_proportion ? advice.path_ratio / result.pace : advice.path_ratio;
+    const auto habit = phase_habit(swings.view, student.kind, phase.first, phase.second);
+    if (habit) put_right(advice, *habit, result.pace);
+    const double relative = advice.ratio / result.pace, relative_on_path = advice.path_ratio / result.pace;
     const double clear = std::max(kClearRatio, kClearSigmas * advice.plus_minus / advice.ratio);
-    double severity = std::abs(std::log(relative)) / clear;
+    double severity = habit && habit->clear > 0 ? std::max(0.0, 1 - relative) / habit->clear
+                                                : std::abs(std::log(relative)) / clear;
     // The path must say the same: an event that was found late on one side alone is no advice.
     const bool path_agrees = (relative_on_path - 1) * (relative - 1) > 0;
     if (!path_agrees) severity *= 0.5;
@@ -81,7 +105,7 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
     if (phase.first == "impact") severity *= 0.5;
     severity *= swings.strictness.of(JudgedPart::Timing);
     advice.fault = known_timing_fault(advice.from, advice.to, relative, student.kind);
-    advice.advice = text::timing(advice, relative, severity >= 1, result.in_proportion);
+    advice.advice = text::timing(advice, student.kind, result.pace, severity >= 1);
     result.phases.push_back(std::move(advice));
     result.severity.push_back(severity);
   }

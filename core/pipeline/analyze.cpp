@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/coaching/advice_text.h"
 #include "core/coaching/body_axes.h"
 #include "core/coaching/compare.h"
 #include "core/coaching/posture.h"
+#include "core/coaching/text/advice_text.h"
 
 namespace posecoach {
 namespace {
@@ -113,9 +113,9 @@ Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coac
   const Result<RetargetResult> personal =
       in_body(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
   if (!personal) return fail(personal.error().code, coach.source + ": " + personal.error().message);
-  Result<Analysis> analysis =
-      compare(student.motion, personal->motion,
-              {hand, student.view, student.sight, options.strictness, student.source, coach.source});
+  Result<Analysis> analysis = compare(
+      student.motion, personal->motion,
+      {hand, student.view, student.sight, options.strictness, &right_coach, student.source, coach.source});
   if (!analysis) return tl::unexpected(analysis.error());
 
   Motion drawn =

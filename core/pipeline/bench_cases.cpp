@@ -61,7 +61,10 @@ std::string name_of(const BenchCase& one) {
   return one.motion + "-" +
          (one.fault ? std::string(one.fault->name) + "_" + in_words(one.amount) : std::string("faultless")) +
          "-" + one.body.name + "-" + (one.hand == Handedness::Left ? "left" : "right") + "-" +
-         in_words(one.frames_per_second) + "fps-" + std::string(to_string(one.eye));
+         in_words(one.frames_per_second) + "fps-" + std::string(to_string(one.eye)) +
+         (one.camera_turned_deg == 0
+              ? ""
+              : (one.camera_turned_deg > 0 ? "+" : "") + in_words(one.camera_turned_deg));
 }
 
 Result<AuthoredMotion> make_stroke_of(const BenchCase& one) {
@@ -77,23 +80,39 @@ Result<AuthoredMotion> make_stroke_of(const BenchCase& one) {
 Result<std::vector<BenchCase>> make_bench_cases(const BenchPlan& plan) {
   const auto bodies = chosen_bodies(plan.bodies);
   if (!bodies) return tl::unexpected(bodies.error());
+  for (const std::string& name : plan.faults)
+    if (const auto known = choose_fault(name); !known) return tl::unexpected(known.error());
+  const auto is_asked = [&plan](std::string_view fault) {
+    return plan.faults.empty() ||
+           std::find(plan.faults.begin(), plan.faults.end(), fault) != plan.faults.end();
+  };
   std::vector<BenchCase> cases;
-  for (const BenchEye eye : plan.eyes)
-    for (const double rate : plan.frame_rates)
-      for (std::size_t b = 0; b < bodies->size(); ++b) {
-        const BenchBody& body = (*bodies)[b];
-        for (const char* motion : {"swing", "putt"})
-          for (const Handedness hand : {Handedness::Right, Handedness::Left})
-            cases.push_back({motion, nullptr, 0, body, hand, rate, eye});
-        const auto& faults = golf_faults();
-        for (std::size_t f = 0; f < faults.size(); ++f) {
-          const Handedness hand = (b + f) % 2 == 0 ? Handedness::Right : Handedness::Left;
-          for (const double part : plan.parts)
-            cases.push_back({std::string(faults[f].motion), &faults[f],
-                             std::min(part * faults[f].default_amount, faults[f].largest_amount), body, hand,
-                             rate, eye});
-        }
+  // One eye at one frame rate from one place.
+  const auto add = [&](BenchEye eye, double rate, double turned_deg) {
+    for (std::size_t b = 0; b < bodies->size(); ++b) {
+      const BenchBody& body = (*bodies)[b];
+      for (const char* motion : {"swing", "putt"})
+        for (const Handedness hand : {Handedness::Right, Handedness::Left})
+          cases.push_back({motion, nullptr, 0, body, hand, rate, eye, turned_deg});
+      const auto& faults = golf_faults();
+      for (std::size_t f = 0; f < faults.size(); ++f) {
+        if (!is_asked(faults[f].name)) continue;
+        const Handedness hand = (b + f) % 2 == 0 ? Handedness::Right : Handedness::Left;
+        for (const double part : plan.parts)
+          cases.push_back({std::string(faults[f].motion), &faults[f],
+                           std::min(part * faults[f].default_amount, faults[f].largest_amount), body, hand,
+                           rate, eye, turned_deg});
       }
+    }
+  };
+  for (const BenchEye eye : plan.eyes)
+    for (const double rate : plan.frame_rates) {
+      if (eye == BenchEye::TrueJoints) {
+        add(eye, rate, 0);
+        continue;
+      }
+      for (const double turned_deg : plan.camera_turns_deg) add(eye, rate, turned_deg);
+    }
   return cases;
 }
 

@@ -35,8 +35,9 @@ struct BenchCase {
   Handedness hand = Handedness::Right;
   double frames_per_second = 30;
   BenchEye eye = BenchEye::TrueJoints;
+  double camera_turned_deg = 0;  // how far the camera stands beside its place
 };
-// "swing-sway_10-tall-right-30fps-face-on": fit for a file's name.
+// "swing-sway_10-tall-right-30fps-face-on", "...-face-on+20": fit for a file's name.
 std::string name_of(const BenchCase& one);
 
 // The stroke of a case. Errors: those of make_authored_motion.
@@ -47,9 +48,11 @@ struct BenchPlan {
   std::vector<double> frame_rates = {30};
   std::vector<double> parts = {0.75, 1, 1.5};  // of each fault's usual amount, at most its largest
   std::vector<std::string> bodies = {};        // empty: all bench bodies
+  std::vector<std::string> faults = {};        // empty: all; faultless strokes come always
+  std::vector<double> camera_turns_deg = {0};  // of films
 };
 // Every fault in every part on every body, hands in turn; and every faultless stroke with both hands. Errors:
-// InvalidArgument (a body of no such name).
+// InvalidArgument (a body or fault of no such name).
 Result<std::vector<BenchCase>> make_bench_cases(const BenchPlan& plan);
 
 struct BenchAnswer {

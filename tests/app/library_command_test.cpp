@@ -90,6 +90,20 @@ TEST_F(LibraryCommand, a_swing_goes_through_its_whole_life) {
   EXPECT_TRUE(listed({"--trash"}).at("swings").empty());
 }
 
+TEST_F(LibraryCommand, the_last_swings_of_one_person_are_told_together) {
+  const std::string first = import_swing("Anna");
+  import_swing("Bo");
+  const std::string last = import_swing("Anna");
+  expect_one_line({"block", last}, 1, "not been compared");
+  for (const std::string& id : {first, last}) run_well({"analyze", id, "--coach", "bundled:swing"});
+  EXPECT_THAT(run_well({"block", last}), testing::AllOf(HasSubstr("2 swings"), HasSubstr("Tempo")));
+  const json block = json::parse(run_well({"block", last, "--json", "-"}));
+  EXPECT_EQ(block.at("schema"), "posecoach.block/1");
+  EXPECT_EQ(block.at("swings"), 2);
+  EXPECT_NEAR(block.at("score_percent").at("deviation").get<double>(), 0, 1e-9);
+  EXPECT_EQ(json::parse(run_well({"block", first, "--json", "-"})).at("swings"), 1);
+}
+
 TEST_F(LibraryCommand, wrong_use_and_broken_things_are_one_line) {
   const std::string id = import_swing("Anna");
   expect_one_line({}, 2, "library --help");

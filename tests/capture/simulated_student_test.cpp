@@ -104,7 +104,7 @@ TEST(SimulatedSource, reads_all_settings) {
   EXPECT_EQ(options->faults[0].amount, 5);
   EXPECT_EQ(options->faults[1].amount, 3);
   EXPECT_EQ(options->hand, Handedness::Left);
-  EXPECT_EQ(options->view, CameraView::DownTheLine);
+  EXPECT_EQ(options->view.view, CameraView::DownTheLine);
   EXPECT_EQ(options->frames_per_second, 50);
   EXPECT_EQ(options->width, 640);
   EXPECT_EQ(options->height, 480);
@@ -151,6 +151,38 @@ TEST(SimulatedStudent, pixels_are_those_of_every_machine) {
   const PinholeCamera camera =
       make_camera_looking_at({0, 0.9, 4.0}, {0, 1.02, 0.1}, 2 * std::atan(0.5 * 2.75 / 3.9), 320, 180);
   EXPECT_EQ(fingerprint(draw_scene(scene, camera, draw_ground_and_sky(camera))), 16398693573307188657U);
+}
+
+TEST(CameraPlace, is_written_and_read_with_its_angle) {
+  for (const CameraPlace& place :
+       {CameraPlace{CameraView::FaceOn, 0}, CameraPlace{CameraView::DownTheLine, 20},
+        CameraPlace{CameraView::FaceOn, -12.5}}) {
+    const Result<CameraPlace> read = camera_place_from_string(to_string(place));
+    ASSERT_TRUE(read) << to_string(place);
+    EXPECT_EQ(read->view, place.view);
+    EXPECT_EQ(read->turned_deg, place.turned_deg);
+  }
+  for (const char* wrong :
+       {"", "sideways", "face-on20", "face-on+", "face-on+x", "face-on+120", "face-on+nan"})
+    EXPECT_EQ(camera_place_from_string(wrong).error().code, ErrorCode::InvalidArgument) << wrong;
+}
+
+TEST(CameraPlace, goes_round_the_golfer_towards_the_target_or_the_ball) {
+  const auto eye = [](CameraPlace place, Handedness hand) {
+    const PinholeCamera camera = make_view_camera(place, hand, 640, 360);
+    return camera.position();
+  };
+  const Vec3 straight = eye({CameraView::FaceOn, 0}, Handedness::Right),
+             beside = eye({CameraView::FaceOn, 20}, Handedness::Right);
+  EXPECT_GT(beside.x, straight.x + 1);  // a right-hander's target is at +X
+  EXPECT_NEAR(glm::distance(beside, Vec3(0, straight.y, 0.1)),
+              glm::distance(straight, Vec3(0, straight.y, 0.1)), 1e-9);
+  EXPECT_GT(eye({CameraView::DownTheLine, 20}, Handedness::Right).z,
+            eye({CameraView::DownTheLine, 0}, Handedness::Right).z + 1);
+  for (const CameraView view : {CameraView::FaceOn, CameraView::DownTheLine}) {
+    const Vec3 right = eye({view, 20}, Handedness::Right), left = eye({view, 20}, Handedness::Left);
+    EXPECT_LT(glm::distance(right, Vec3(-left.x, left.y, left.z)), 1e-9);
+  }
 }
 
 }  // namespace

@@ -110,6 +110,8 @@ std::set<std::size_t> chosen_pairs(const Comparison& comparison, const Path& pat
   const Analysis& analysis = comparison.analysis;
   for (const Advice& advice : analysis.advice) add(advice.student_frame, advice.coach_frame);
   for (const SpatialAdvice& spatial : analysis.spatial) add(spatial.student_frame, spatial.coach_frame);
+  for (const PoseMatch& match : analysis.poses) add(match.student_frame, match.coach_frame);
+  for (const FramePair& pair : analysis.worst_frames) add(pair.student_frame, pair.coach_frame);
   for (const StillMoment& still : still_moments(analysis)) add(still.student_frame, still.coach_frame);
   for (const SwingEvent& event : analysis.student_events) add(event.frame, std::nullopt);
   return chosen;

@@ -85,7 +85,8 @@ std::string replay_section(const Analysis& analysis, const Replay& replay) {
 
 }  // namespace
 
-std::string make_report_page(const Comparison& comparison, std::span<const ReportPicture> pictures) {
+std::string make_report_page(const Comparison& comparison, std::span<const ReportPicture> pictures,
+                             const Block& block) {
   const Analysis& analysis = comparison.analysis;
   const Replay replay = make_replay(comparison, kMostSteps);
   std::string page =
@@ -102,7 +103,10 @@ std::string make_report_page(const Comparison& comparison, std::span<const Repor
                                            : title_from_name(analysis.stroke) + ", compared with ") +
       html::escape(short_source(analysis.coach.source)) + "</p></header>\n";
   page += report::summary_section(analysis, replay);
+  page += report::parts_section(analysis);
+  page += report::block_section(block);
   page += report::pictures_section(analysis, pictures, replay, comparison.palette);
+  page += report::poses_section(analysis, replay);
   page += replay_section(analysis, replay);
   page += report::timing_section(analysis, replay);
   page += report::spatial_section(analysis, replay);

@@ -5,12 +5,15 @@
 #include <span>
 #include <string>
 
+#include "core/coaching/block.h"
 #include "ui/report/comparison.h"
 #include "ui/report/report_picture.h"
 
 namespace posecoach {
 
-// `pictures` stand for the analysis' worst frames, in its order; there may be none.
-std::string make_report_page(const Comparison& comparison, std::span<const ReportPicture> pictures);
+// `pictures` stand for the analysis' worst frames, in its order; there may be none. `block`: the golfer's
+// last swings, this one among them.
+std::string make_report_page(const Comparison& comparison, std::span<const ReportPicture> pictures,
+                             const Block& block = {});
 
 }  // namespace posecoach

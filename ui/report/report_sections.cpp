@@ -5,36 +5,17 @@
 
 #include "ui/render/words.h"
 #include "ui/report/html.h"
+#include "ui/report/page_pieces.h"
 
 namespace posecoach::report {
 namespace {
 
 using html::escape;
 
-std::string section(std::string_view id, std::string_view title, const std::string& body,
-                    std::string_view lead = {}) {
-  if (body.empty()) return {};
-  std::string result = "<section id=\"" + std::string(id) + "\"><h2>" + std::string(title) + "</h2>";
-  if (!lead.empty()) result += "<p class=\"lead\">" + std::string(lead) + "</p>";
-  return result + body + "</section>\n";
-}
-
-// Shows the moment above when the page can; a plain word on paper.
-std::string moment_button(const Replay& replay, int student_frame, int coach_frame) {
-  if (replay.steps.empty()) return {};
-  return "<button type=\"button\" class=\"moment\" data-step=\"" +
-         std::to_string(step_at(replay, student_frame, coach_frame)) + "\">Show the moment</button>";
-}
-
-std::string centimetres(double metres, int digits = 1) {
-  return decimal(100 * metres, digits) + "&nbsp;cm";
-}
-
 std::string score_ring(double percent) {
   constexpr double kRadius = 52, kLength = 2 * 3.14159265358979 * kRadius;
   const double filled = kLength * std::clamp(percent, 0.0, 100.0) / 100;
-  const std::string_view grade = percent >= 85 ? "good" : percent >= 60 ? "fair" : "poor";
-  return "<svg class=\"ring " + std::string(grade) +
+  return "<svg class=\"ring " + std::string(grade(percent)) +
          "\" viewBox=\"0 0 120 120\" role=\"img\" aria-label=\"Overall match " + decimal(percent, 0) +
          " of 100\"><circle class=\"track\" cx=\"60\" cy=\"60\" r=\"52\"/><circle class=\"value\" cx=\"60\" "
          "cy=\"60\" r=\"52\" stroke-dasharray=\"" +
@@ -55,23 +36,14 @@ std::string_view kind_word(AdviceKind kind) {
   return "";
 }
 
-std::string in_unit(double value, int digits, std::string_view unit) {
-  std::string number = decimal(value, digits);
-  if (number.starts_with('-')) number.replace(0, 1, "−");
-  return number + (unit == "deg" ? "°" : unit.empty() ? "" : "&nbsp;" + escape(unit));
-}
-
-// "spine_forward_deg" in degrees is "spine_forward".
-std::string_view without_unit(std::string_view name, std::string_view unit) {
-  const std::string ending = "_" + std::string(unit == "%" ? "percent" : unit);
-  if (!unit.empty() && name.size() > ending.size() && name.ends_with(ending))
-    name.remove_suffix(ending.size());
-  return name;
-}
-
-// A table's cell that carries its column's name, for screens too narrow for columns.
-std::string cell(std::string_view label, const std::string& content) {
-  return "<td data-label=\"" + std::string(label) + "\">" + content + "</td>";
+// Where there are published figures.
+std::string usual_cell(const Metric& metric) {
+  if (!metric.usual) return "<td></td>";
+  const auto number = [](double value) { return decimal(value, value == std::round(value) ? 0 : 2); };
+  std::string range = number(metric.usual->first) + " to " + number(metric.usual->second);
+  for (std::size_t at = 0; (at = range.find('-', at)) != std::string::npos;) range.replace(at, 1, "−");
+  return cell("Good golfers",
+              range + (metric.unit == "deg" ? "°" : "") + "<small>" + escape(metric.source) + "</small>");
 }
 
 // With as many digits as the uncertainty leaves sense in.
@@ -205,9 +177,9 @@ std::string metrics_section(const Analysis& analysis) {
     std::string definition = escape(metric.definition);
     if (!definition.empty()) definition = "<small>" + definition + "</small>";
     rows += std::string("<tr") + (available ? "" : " class=\"off\"") + "><th scope=\"row\">" +
-            escape(title_from_name(without_unit(metric.name, metric.unit))) + definition + "</th>";
+            escape(metric.title.empty() ? title_from_name(metric.name) : metric.title) + definition + "</th>";
     if (!available) {
-      rows += "<td colspan=\"2\">– <span class=\"reason\">" + escape(metric.reason) + "</span></td></tr>";
+      rows += "<td colspan=\"3\">– <span class=\"reason\">" + escape(metric.reason) + "</span></td></tr>";
       continue;
     }
     rows += "<td data-label=\"You\"><b>" + in_unit(metric.value, digits, metric.unit) + "</b>";
@@ -218,13 +190,12 @@ std::string metrics_section(const Analysis& analysis) {
       rows += cell("Coach", in_unit(*metric.coach, digits, metric.unit));
     else
       rows += "<td></td>";
-    rows += "</tr>";
+    rows += usual_cell(metric) + "</tr>";
   }
   if (!rows.empty())
     rows =
         "<div class=\"scroll\"><table class=\"metrics\"><thead><tr><th>Measurement</th><th>You</th><th>Coach "
-        "in your "
-        "body</th></tr></thead><tbody>" +
+        "in your body</th><th>Good golfers</th></tr></thead><tbody>" +
         rows + "</tbody></table></div>";
   return section("metrics", "Measurements", rows,
                  "With the uncertainty of the recording. What it cannot show is left out, with the reason.");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/coaching/analysis.h"
+#include "core/coaching/block.h"
 #include "ui/report/replay.h"
 #include "ui/report/report_picture.h"
 
@@ -14,6 +15,12 @@ namespace posecoach::report {
 std::string summary_section(const Analysis& analysis, const Replay& replay);
 std::string pictures_section(const Analysis& analysis, std::span<const ReportPicture> pictures,
                              const Replay& replay, Palette palette);
+// The score of each part of the body and of the stroke.
+std::string parts_section(const Analysis& analysis);
+// Pair by pair, both bodies drawn over each other with the joints marked that differ most.
+std::string poses_section(const Analysis& analysis, const Replay& replay);
+// Several swings of one golfer; empty for fewer than two.
+std::string block_section(const Block& block);
 std::string joints_section(const Analysis& analysis);
 std::string timing_section(const Analysis& analysis, const Replay& replay);
 std::string spatial_section(const Analysis& analysis, const Replay& replay);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/coaching/analysis_json.h"
 #include "core/coaching/block.h"
 #include "core/coaching/compare.h"
 #include "core/coaching/strictness.h"
@@ -84,6 +85,23 @@ TEST(PoseMatches, of_a_slow_backswing_come_late_from_the_top_on) {
     EXPECT_LE(analysis.poses[k - 1].student_frame, analysis.poses[k].student_frame);
 }
 
+TEST(PoseMatches, mark_the_joints_that_are_apart_and_how_far) {
+  const Analysis analysis = analyzed("head_lift", 12);
+  const auto impact = std::find_if(analysis.poses.begin(), analysis.poses.end(),
+                                   [](const PoseMatch& match) { return match.event == "impact"; });
+  ASSERT_NE(impact, analysis.poses.end());
+  ASSERT_FALSE(impact->joints.empty());
+  EXPECT_EQ(impact->joints.front().joint, "head");
+  EXPECT_NEAR(impact->joints.front().offset_m.y, 0.12, 0.03);
+  EXPECT_NEAR(impact->joints.front().distance_m, 0.12, 0.04);
+  for (const PoseMatch& match : analysis.poses) {
+    EXPECT_LE(match.joints.size(), 3U);
+    for (std::size_t k = 1; k < match.joints.size(); ++k)
+      EXPECT_GE(match.joints[k - 1].distance_m, match.joints[k].distance_m);
+  }
+  EXPECT_TRUE(analyzed("head_lift", 0).poses.front().joints.empty());
+}
+
 TEST(PoseMatches, of_the_same_motion_come_in_time) {
   const Analysis analysis = analyzed("sway", 0, {}, 60);
   for (const PoseMatch& match : analysis.poses) {
@@ -145,9 +163,9 @@ TEST(Spread, is_mean_and_standard_deviation) {
 TEST(Block, tells_the_spread_of_the_score_and_of_the_tempo_and_what_comes_again) {
   const std::vector<Analysis> swings = {analyzed("sway", 9), analyzed("sway", 12), analyzed("sway", 0),
                                         analyzed("sway", 15)};
-  std::vector<const Analysis*> pointers;
-  for (const Analysis& swing : swings) pointers.push_back(&swing);
-  const Block block = make_block(pointers);
+  std::vector<BlockSwing> block_swings;
+  for (const Analysis& swing : swings) block_swings.push_back(block_swing_from(swing));
+  const Block block = make_block(block_swings);
   EXPECT_EQ(block.swings, 4);
   EXPECT_GT(block.percent.deviation, 1);
   ASSERT_FALSE(block.advice.empty());
@@ -165,13 +183,29 @@ TEST(Block, tells_the_spread_of_the_score_and_of_the_tempo_and_what_comes_again)
 TEST(Block, of_putts_tells_how_even_their_time_is) {
   std::vector<Analysis> putts;
   for (const double slower : {0.0, 20.0, 40.0}) putts.push_back(analyzed("uneven_tempo", slower));
-  std::vector<const Analysis*> pointers;
-  for (const Analysis& putt : putts) pointers.push_back(&putt);
-  const Block block = make_block(pointers);
+  // As the library keeps them.
+  std::vector<BlockSwing> swings;
+  for (const Analysis& putt : putts) swings.push_back(block_swing_from_json(to_json(putt)).value());
+  const Block block = make_block(swings);
   const auto total = std::find_if(block.metrics.begin(), block.metrics.end(),
                                   [](const MetricSpread& m) { return m.name == "total_time_s"; });
   ASSERT_NE(total, block.metrics.end());
   EXPECT_NEAR(total->spread.deviation, 0.2 * 0.32, 0.01);
+}
+
+TEST(Block, from_stored_analyses_is_the_same_as_from_the_analyses_themselves) {
+  std::vector<BlockSwing> fresh, stored;
+  for (const double sway : {6.0, 12.0}) {
+    const Analysis analysis = analyzed("sway", sway);
+    fresh.push_back(block_swing_from(analysis));
+    stored.push_back(block_swing_from_json(to_json(analysis)).value());
+  }
+  EXPECT_EQ(to_json(make_block(stored)), to_json(make_block(fresh)));
+}
+
+TEST(Block, a_text_that_is_no_analysis_is_refused) {
+  for (const char* text : {"", "[]", "{\"score\": {}}", "{\"score\": {\"percent\": \"high\"}}"})
+    EXPECT_EQ(block_swing_from_json(text).error().code, ErrorCode::Malformed) << text;
 }
 
 TEST(Block, of_nothing_is_empty) {

@@ -33,7 +33,7 @@ const std::vector<Expected>& expected_advice() {
       {"head_lift", AdviceKind::Spatial, {"head"}, "At impact"},
       {"flat_shoulder_turn", AdviceKind::Spatial, {"flat"}, "At the top"},
       {"head_moves_with_putter", AdviceKind::Spatial, {"head"}, "At the"},
-      {"uneven_tempo", AdviceKind::Timing, {"too slow"}, "downswing"},
+      {"uneven_tempo", AdviceKind::Timing, {"too slow"}, "to the ball"},
   };
   return all;
 }

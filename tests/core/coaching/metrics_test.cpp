@@ -8,7 +8,7 @@
 
 #include "core/coaching/compare.h"
 #include "core/coaching/kinematic_sequence.h"
-#include "core/coaching/metric_text.h"
+#include "core/coaching/text/metric_text.h"
 #include "core/motion/authored/golf_fault.h"
 #include "tests/core/coaching/strokes.h"
 

@@ -61,6 +61,23 @@ TEST(SwingEvents, lie_within_a_film_frame_of_the_truth_on_any_body_hand_and_fram
         }
 }
 
+TEST(SwingEvents, lie_within_a_film_frame_on_limbs_a_quarter_longer_or_shorter) {
+  const std::vector<BodyProportions> bodies = {
+      {.height_m = 1.75, .arms = 1.25},
+      {.height_m = 1.75, .arms = 0.80},
+      {.height_m = 1.80, .torso = 0.85, .thighs = 1.25, .shins = 1.25},
+      {.height_m = 1.70, .torso = 1.15, .thighs = 0.75, .shins = 0.75},
+      {.height_m = 1.80, .shoulders = 1.25, .hips = 1.25},
+      {.height_m = 1.80, .shoulders = 0.75, .hips = 0.75}};
+  for (const double fps : {30.0, 120.0})
+    for (std::size_t body = 0; body < bodies.size(); ++body)
+      for (const char* name : {"swing", "putt"}) {
+        SCOPED_TRACE(std::string(name) + " on body " + std::to_string(body) + ", " + std::to_string(fps) +
+                     " fps");
+        expect_true_events(make_stroke({name, fps, bodies[body], Handedness::Right}));
+      }
+}
+
 TEST(SwingEvents, do_not_care_which_way_the_golfer_faces) {
   const Motion swing = make_stroke().motion;
   const SwingEvents straight = events_of(swing), turned = events_of(turned_by(swing, 2.1));
@@ -122,9 +139,13 @@ TEST(SwingEvents, are_refused_when_the_film_starts_in_the_backswing_or_ends_befo
   const AuthoredMotion stroke = make_stroke();
   const auto frame_at = [&](const char* event) { return static_cast<int>(stroke.time_of(event) * 120); };
   const Motion late = stroke.motion.slice(frame_at("mid_backswing"), stroke.motion.frame_count());
-  EXPECT_FALSE(find_swing_events(JointTrack::from_motion(late).value()));
+  const auto of_late = find_swing_events(JointTrack::from_motion(late).value());
+  ASSERT_FALSE(of_late);
+  EXPECT_NE(of_late.error().message.find("start is not seen"), std::string::npos) << of_late.error().message;
   const Motion early = stroke.motion.slice(0, frame_at("mid_downswing"));
-  EXPECT_FALSE(find_swing_events(JointTrack::from_motion(early).value()));
+  const auto of_early = find_swing_events(JointTrack::from_motion(early).value());
+  ASSERT_FALSE(of_early);
+  EXPECT_NE(of_early.error().message.find("no stroke"), std::string::npos) << of_early.error().message;
 }
 
 TEST(SwingEvents, need_the_joints_of_a_golfer) {

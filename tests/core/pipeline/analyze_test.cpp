@@ -46,6 +46,28 @@ TEST(Analyze, the_same_motion_scores_alike_on_every_body_and_worse_when_not_pers
   }
 }
 
+// As golfers of these bodies swing, not as the coach's motion would be carried over to them.
+TEST(Analyze,
+     the_same_swing_of_another_golfer_scores_within_two_points_in_his_body_and_clearly_worse_without) {
+  const Motion coach = swing_on({.height_m = 1.8}, 120);
+  const std::vector<BodyProportions> bodies = {
+      {.height_m = 1.5},
+      {.height_m = 2.0},
+      {.height_m = 1.7, .arms = 1.25},
+      {.height_m = 1.75, .arms = 0.8},
+      {.height_m = 1.8, .torso = 0.85, .thighs = 1.25, .shins = 1.25},
+      {.height_m = 1.7, .torso = 1.15, .thighs = 0.75, .shins = 0.75}};
+  for (const BodyProportions& body : bodies) {
+    const Motion student = swing_on(body, 60);
+    const double in_his_body = analyzed(student, coach).analysis.score.percent;
+    EXPECT_GE(in_his_body, 98) << body.height_m << " m, arms " << body.arms << ", legs " << body.thighs;
+    const Result<Analysis> as_it_is = compare(student, coach);
+    ASSERT_TRUE(as_it_is);
+    EXPECT_LT(as_it_is->score.percent, in_his_body - 4)
+        << body.height_m << " m, arms " << body.arms << ", legs " << body.thighs;
+  }
+}
+
 TEST(Analyze, a_motion_against_itself_has_a_raw_score_of_zero) {
   const Motion swing = swing_on({.height_m = 1.7, .arms = 1.1}, 60);
   const Analysis analysis = analyzed(swing, swing).analysis;
@@ -111,6 +133,20 @@ TEST(Analyze, gives_a_left_hander_the_numbers_of_his_mirror_image) {
   ASSERT_EQ(of_left.analysis.advice.size(), of_right.analysis.advice.size());
   for (std::size_t k = 0; k < of_left.analysis.advice.size(); ++k)
     EXPECT_EQ(of_left.analysis.advice[k].text, of_right.analysis.advice[k].text);
+  ASSERT_EQ(of_left.analysis.metrics.size(), of_right.analysis.metrics.size());
+  for (std::size_t k = 0; k < of_left.analysis.metrics.size(); ++k)
+    EXPECT_NEAR(of_left.analysis.metrics[k].value, of_right.analysis.metrics[k].value, 1e-6)
+        << of_left.analysis.metrics[k].name;
+  // What is drawn is named as it is on his body.
+  ASSERT_EQ(of_left.analysis.poses.size(), of_right.analysis.poses.size());
+  for (std::size_t k = 0; k < of_left.analysis.poses.size(); ++k) {
+    const auto &left_gaps = of_left.analysis.poses[k].joints, &right_gaps = of_right.analysis.poses[k].joints;
+    ASSERT_EQ(left_gaps.size(), right_gaps.size());
+    for (std::size_t j = 0; j < left_gaps.size(); ++j) {
+      EXPECT_EQ(left_gaps[j].joint, to_string(mirrored(*humanoid_joint_from_string(right_gaps[j].joint))));
+      EXPECT_NEAR(left_gaps[j].offset_m.x, -right_gaps[j].offset_m.x, 1e-6);
+    }
+  }
   const Vec3 drawn = of_left.coach.position(10, 3), mirror = mirrored(of_right.coach).position(10, 3);
   EXPECT_LT(glm::distance(drawn, mirror), 1e-6);
 }

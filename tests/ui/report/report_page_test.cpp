@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "tests/support/compared_motions.h"
@@ -31,6 +32,52 @@ TEST(ReportPage, says_score_and_all_advice) {
     EXPECT_THAT(page, HasSubstr(words));
 }
 
+TEST(ReportPage, shows_the_score_of_every_part) {
+  ComparedMotions motions = make_compared_motions();
+  motions.analysis.score.groups = {{"lead_arm", 0.081, 51.2}, {"hips", 0.01, 97.4}};
+  motions.analysis.score.phases = {{"follow_through", 0.05, 73.3}};
+  const std::string page = page_of(motions);
+  for (const char* words : {"Lead arm", ">51 <", "8.1&nbsp;cm", ">97 <", "Follow-through", ">73 <",
+                            "class=\"poor\"", "class=\"fair\"", "class=\"good\""})
+    EXPECT_THAT(page, HasSubstr(words));
+  EXPECT_THAT(page_of(make_compared_motions()), Not(HasSubstr("id=\"parts\"")));
+}
+
+TEST(ReportPage, draws_every_pair_of_poses_with_its_joints_marked) {
+  ComparedMotions motions = make_compared_motions();
+  PoseMatch top;
+  top.event = "top";
+  top.student_frame = top.coach_frame = motions.analysis.student_events[1].frame;
+  top.advice = "At the top, you are 0.12 s late.";
+  top.joints = {{"left_wrist", Vec3(0.1, 0.1, 0), 0.14}, {"head", Vec3(0, 0.06, 0), 0.06}};
+  motions.analysis.poses = {top};
+  const std::string page = page_of(motions);
+  for (const char* words : {"id=\"poses\"", top.advice.c_str(),
+                            "Left wrist&nbsp;14&nbsp;cm, Head&nbsp;6&nbsp;cm", "seen from the front"})
+    EXPECT_THAT(page, HasSubstr(words));
+  const std::size_t marks = page.find("class=\"marks\"");
+  ASSERT_NE(marks, std::string::npos);
+  // Two rings and a line a joint.
+  const std::string drawn = page.substr(marks, page.find("</svg>", marks) - marks);
+  EXPECT_EQ(std::count(drawn.begin(), drawn.end(), '<'), 2 * 3 + 1);
+}
+
+TEST(ReportPage, tells_of_the_last_swings_where_there_are_several) {
+  const ComparedMotions motions = make_compared_motions();
+  Block block;
+  block.swings = 4;
+  block.percent = {4, 72.2, 5.4};
+  block.metrics = {{"tempo_ratio", "Tempo", "", {4, 3.01, 0.25}, 3.0}};
+  block.advice = {{"sway", "hips_to_target", "top", 3, "Your hips <sway>.", 1}};
+  const Comparison comparison{motions.analysis, motions.student, 0, motions.coach};
+  const std::string page = make_report_page(comparison, {}, block);
+  for (const char* words :
+       {"Your last 4 swings", "<b>72</b> ±&nbsp;5", "3 of 4", "&lt;sway&gt;", "Tempo", "3.0"})
+    EXPECT_THAT(page, HasSubstr(words));
+  block.swings = 1;
+  EXPECT_THAT(make_report_page(comparison, {}, block), Not(HasSubstr("Your last")));
+}
+
 TEST(ReportPage, needs_nothing_from_outside) {
   const ComparedMotions motions = make_compared_motions();
   const ReportPicture picture{30, 30, Image::black(30, 40), "Top: left elbow 10 cm away"};
@@ -48,7 +95,8 @@ TEST(ReportPage, text_from_files_cannot_become_markup) {
   analysis.student.source = analysis.coach.source = analysis.retarget_method = evil;
   analysis.advice[0].text = analysis.timing[0].advice = analysis.spatial[0].advice = analysis.notes[0] = evil;
   analysis.joint_errors[0].joint = analysis.metrics[0].name = analysis.metrics[0].unit = evil;
-  analysis.metrics[1].reason = analysis.student_events[1].name = analysis.timing[0].from = evil;
+  analysis.metrics[1].title = analysis.metrics[1].reason = analysis.student_events[1].name =
+      analysis.timing[0].from = evil;
   analysis.spatial[0].joint = analysis.spatial[0].event = evil;
   const ReportPicture picture{30, 30, Image::black(8, 8), evil};
   const std::string page = page_of(motions, std::span(&picture, 1));
@@ -74,7 +122,7 @@ TEST(ReportPage, no_difference_found_has_no_moment_to_show) {
   motions.analysis.spatial.clear();
   const std::string page = page_of(motions);
   EXPECT_THAT(page, HasSubstr("No clear difference"));
-  EXPECT_THAT(page, Not(HasSubstr("class=\"moment\"")));
+  EXPECT_THAT(page.substr(0, page.find("</section>")), Not(HasSubstr("class=\"moment\"")));
 }
 
 TEST(ReportPage, very_long_motion_keeps_the_page_small) {
