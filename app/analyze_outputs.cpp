@@ -135,8 +135,12 @@ Result<void> check_outputs(const AnalyzeOutputs& outputs, const std::vector<std:
 
 Result<void> write_outputs(const AnalyzeOutputs& outputs, const LoadedMotion& student,
                            const AnalyzedPair& pair, const Progress& progress) {
-  const Comparison comparison{pair.analysis, student.motion, student.first_frame, pair.coach,
-                              outputs.palette};
+  Comparison comparison{pair.analysis, student.motion, student.first_frame, pair.coach, outputs.palette};
+  if (student.student) {
+    comparison.drawings = outputs.drawings;
+    comparison.drawn_width_px = student.student->track.width;
+    comparison.drawn_height_px = student.student->track.height;
+  }
   if (!outputs.report.empty() || !outputs.video.empty()) {
     const Result<std::vector<ReportPicture>> pictures = draw(outputs, student, comparison, progress);
     if (!pictures) return tl::unexpected(pictures.error());

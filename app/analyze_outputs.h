@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/coaching/block.h"
 #include "core/pipeline/analyze.h"
+#include "core/session/marks.h"
 #include "ui/render/figure.h"
 
 namespace posecoach {
@@ -15,7 +16,8 @@ namespace posecoach {
 struct AnalyzeOutputs {
   std::string json, report, video;  // file names; empty for none; json or report may be "-"
   Palette palette = Palette::RedGreen;
-  Block block = {};  // of the page: the golfer's last swings, this one among them
+  Block block = {};                    // of the page: the golfer's last swings, this one among them
+  std::vector<Drawing> drawings = {};  // on the film
 };
 
 // As check_output_files (app/output_check.h); a film goes to a file only.

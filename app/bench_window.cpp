@@ -19,7 +19,7 @@ Result<void> bench_window(const BenchOptions&, std::vector<BenchRow>& rows) {
   const auto review = make_review_swing(*swing);
   WindowModel model;
   const PictureLookup lookup = [image = *picture](int wanted) { return ShownPicture{wanted, image}; };
-  model.opened = OpenedSwing{"a", "Swing 14", "today", review, lookup, true};
+  model.opened = OpenedSwing{"a", "Swing 14", "today", review, lookup, true, {}};
   model.jobs = {{1, "Exporting", "drawing", 0.4}};
   model.toasts = {{1, ToastKind::Good, "The swing is kept.", "", {}}};
   for (int i = 0; i < 200; ++i) {

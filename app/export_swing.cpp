@@ -98,6 +98,11 @@ Result<void> export_swing(const Swing& swing, const fs::path& file, const Export
   if (name.ends_with(".analysis.json")) return copy_kept(swing, "analysis", file, progress);
   AnalyzeOutputs outputs;
   outputs.palette = options.palette;
+  if (options.has_drawings) {
+    Result<Marks> marks = read_marks(swing);
+    if (!marks) return tl::unexpected(marks.error());
+    outputs.drawings = std::move(marks->drawings);
+  }
   if (name.ends_with(".html")) outputs.report = file.string();
   if (!outputs.report.empty() && options.library != nullptr) {
     Result<Block> block = block_until(*options.library, swing);

@@ -16,6 +16,7 @@ struct ExportOptions {
   LoadOptions load;
   Palette palette = Palette::RedGreen;  // of page and drawn film
   Library* library = nullptr;           // the page then tells of the golfer's last swings, too
+  bool has_drawings = false;            // lines and angles of marks.json are drawn on the film, too
 };
 
 // The kind is told by the end of the name:

@@ -45,6 +45,9 @@ Result<void> run(const LiveArguments& arguments) {
     window.clear();
     (*interface)->draw();
     views.end_frame();
+    if (const std::optional<Rect> shot = program.takes_shot())
+      program.keep_shot(read_window(input.scale * shot->x, input.scale * shot->y, input.scale * shot->width,
+                                    input.scale * shot->height));
     window.show();
     program.perform(intents, state);
     if (program.takes_full_screen()) window.toggle_full_screen();

@@ -62,12 +62,13 @@ bool is_picture_reference(const std::string& source) {
   return reference && reference->is_pictures;
 }
 
-Result<StoredAnswer> analyze_with_pictures(const Swing& swing, const std::string& source,
+Result<StoredAnswer> analyze_with_pictures(const Swing& swing, const std::string& source, const Marks& marks,
                                            LoadedMotion student) {
   const Result<PoseTrack> pictures = load_coach_pictures(source, {});
   if (!pictures) return tl::unexpected(pictures.error());
   AnalyzeOptions options;
   options.hand = swing.facts.hand;
+  options.moved_events = marks.events;
   Result<AnalyzedPair> pair = analyze_in_picture(*pictures, student, options);
   if (!pair) return tl::unexpected(pair.error());
   Skeleton body = student.student->lifted.body;
@@ -115,10 +116,19 @@ Result<LoadedMotion> load_student(const Swing& swing, const LoadOptions& options
 
 Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach,
                                     const LoadOptions& options) {
+  const Result<Marks> marks = read_marks(swing);
+  // Without them the swing is still there.
+  if (!marks) log::warning(marks.error().message + "; what was marked by hand is left out");
+  return analyze_marked(swing, coach, marks.value_or(Marks()), options);
+}
+
+Result<StoredAnswer> analyze_marked(const Swing& swing, const std::string& coach, const Marks& marks,
+                                    const LoadOptions& options) {
   Result<LoadedMotion> student = load_student(swing, options);
   if (!student) return tl::unexpected(student.error());
   const std::string& source = coach.empty() ? swing.facts.coach : coach;
-  if (student->student && is_picture_reference(source)) return analyze_with_pictures(swing, source, *student);
+  if (student->student && is_picture_reference(source))
+    return analyze_with_pictures(swing, source, marks, *student);
   Result<CoachInput> coach_input = coach_of(swing, coach, options);
   if (!coach_input) return tl::unexpected(coach_input.error());
   StudentInput input =
@@ -128,6 +138,7 @@ Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach
   if (body && *body) input.body = **body;
   AnalyzeOptions analyze_options;
   analyze_options.hand = swing.facts.hand;
+  analyze_options.moved_events = marks.events;
   Result<AnalyzedPair> pair = analyze(input, *coach_input, analyze_options);
   if (!pair) return tl::unexpected(pair.error());
   return StoredAnswer{*std::move(student), *std::move(pair), std::move(input.body)};

@@ -9,6 +9,7 @@
 #include "core/pipeline/analyze.h"
 #include "core/pipeline/analyzed_swing.h"
 #include "core/session/library.h"
+#include "core/session/marks.h"
 
 namespace posecoach {
 
@@ -24,8 +25,13 @@ struct StoredAnswer {
 };
 
 // Compared with `coach`; empty: with the one that it was compared with before, and where that is gone, with
-// his motion as it was kept. Errors: Incomplete (there was none), those of reading and comparing.
+// his motion as it was kept. Positions that were moved by hand (core/session/marks.h) count. Errors:
+// Incomplete (there was none), those of reading and comparing.
 Result<StoredAnswer> analyze_stored(const Swing& swing, const std::string& coach,
+                                    const LoadOptions& options = {});
+
+// With these marks in place of the kept ones.
+Result<StoredAnswer> analyze_marked(const Swing& swing, const std::string& coach, const Marks& marks,
                                     const LoadOptions& options = {});
 
 // The same for the review, with the film's pictures. Errors: Incomplete (no film), and those above.

@@ -26,7 +26,24 @@ Key key_of(int key, int scancode) {
       const char c = name[0];
       return static_cast<Key>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
     }
-  return key == GLFW_KEY_KP_ENTER ? Key::Enter : static_cast<Key>(key);
+  switch (key) {
+    case GLFW_KEY_KP_ENTER:
+      return Key::Enter;
+    case GLFW_KEY_KP_ADD:
+      return Key::Plus;
+    case GLFW_KEY_KP_SUBTRACT:
+      return Key::Minus;
+    default:
+      return static_cast<Key>(key);
+  }
+}
+
+KeyPress press_of(int key, int scancode, int modifiers) {
+  KeyPress press{key_of(key, scancode), (modifiers & GLFW_MOD_SHIFT) != 0,
+                 (modifiers & GLFW_MOD_CONTROL) != 0};
+  // What is + on one keyboard is Shift and = on another.
+  if (press.key == Key::Equal && press.shift) press = {Key::Plus, false, press.control};
+  return press;
 }
 
 }  // namespace
@@ -72,9 +89,15 @@ void GlfwWindow::listen() {
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
     GlfwWindow& it = *of(window);
     it.was_touched_ = true;
-    if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
-    it.keys_.push_back(
-        {key_of(key, scancode), (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0});
+    // Alt and the logo key are the desktop's.
+    if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN ||
+        (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0)
+      return;
+    (action == GLFW_REPEAT ? it.repeated_ : it.keys_).push_back(press_of(key, scancode, modifiers));
+  });
+  // Every keyboard has its question mark somewhere else.
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {
+    if (character == '?') of(window)->keys_.push_back({Key::Question});
   });
   glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
     of(window)->was_touched_ = true;
@@ -103,7 +126,7 @@ void GlfwWindow::disconnect() {
 
 FrameInput GlfwWindow::next_input(double longest_wait_s, double text_size) {
   was_touched_ = false;
-  if (longest_wait_s > 0)
+  if (longest_wait_s > 0 && keys_.empty())
     glfwWaitEventsTimeout(longest_wait_s);
   else
     glfwPollEvents();
@@ -126,7 +149,13 @@ FrameInput GlfwWindow::next_input(double longest_wait_s, double text_size) {
   input.time_s = glfwGetTime();
   input.elapsed_s = std::clamp(input.time_s - last_time_s_, 1e-4, 0.5);
   last_time_s_ = input.time_s;
-  input.keys = std::exchange(keys_, {});
+  // One press a frame: each finds the window as the one before left it.
+  if (!keys_.empty()) {
+    input.keys.push_back(keys_.front());
+    keys_.erase(keys_.begin());
+    was_touched_ = true;
+  }
+  input.repeated_keys = std::exchange(repeated_, {});
   input.dropped_files = std::exchange(dropped_, {});
   return input;
 }

@@ -43,7 +43,7 @@ class GlfwWindow {
   bool is_connected_ = false, was_touched_ = true;
   double last_time_s_ = 0;
   int saved_[4] = {0, 0, 1280, 720};  // place and size before full screen
-  std::vector<KeyPress> keys_;
+  std::vector<KeyPress> keys_, repeated_;
   std::vector<std::string> dropped_;
 };
 

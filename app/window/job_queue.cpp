@@ -53,6 +53,11 @@ std::vector<Job> JobQueue::jobs() const {
   return jobs;
 }
 
+void JobQueue::drain() {
+  std::unique_lock lock(mutex_);
+  idle_.wait(lock, [&] { return running_ == nullptr && waiting_.empty(); });
+}
+
 bool JobQueue::finish_jobs() {
   std::vector<Finish> finished;
   {
@@ -83,6 +88,7 @@ void JobQueue::run(const std::stop_token& stop) {
       finished_.push_back(*std::move(done));
     else if (done.error().code != ErrorCode::Cancelled)
       finished_.push_back([this, error = done.error()] { failed_(error); });
+    idle_.notify_all();
   }
 }
 

@@ -32,6 +32,8 @@ class JobQueue {
   void cancel(int id);
   bool is_busy() const;
   std::vector<Job> jobs() const;
+  // Waits until everything that was started is done, however long that takes.
+  void drain();
   // On the window's thread, once a frame. Whether anything was finished.
   bool finish_jobs();
 
@@ -41,7 +43,7 @@ class JobQueue {
 
   std::function<void(const Error&)> failed_;
   mutable std::mutex mutex_;
-  std::condition_variable_any arrived_;
+  std::condition_variable_any arrived_, idle_;
   int next_id_ = 1;
   std::deque<std::shared_ptr<Piece>> waiting_;
   std::shared_ptr<Piece> running_;

@@ -26,6 +26,7 @@ Memory::Memory(const std::filesystem::path& file) : file_(std::make_unique<File>
   remembered.text_size = settings.interface_scale > 0 ? settings.interface_scale : 1;
   remembered.is_sound_on = settings.volume > 0;
   remembered.person = settings.person;
+  remembered.keys = settings.keys;
 }
 
 Memory::~Memory() = default;
@@ -43,6 +44,7 @@ void Memory::save() {
   settings.interface_scale = remembered.text_size;
   settings.volume = remembered.is_sound_on ? (settings.volume > 0 ? settings.volume : 0.8) : 0;
   settings.person = remembered.person;
+  settings.keys = remembered.keys;
   if (const Result<void> saved = file_->file.save(settings); !saved) log::warning(saved.error().message);
 }
 

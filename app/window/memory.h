@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -13,6 +14,7 @@ struct Remembered {
   double text_size = 1;
   bool is_sound_on = true;
   std::string person;
+  std::map<std::string, std::string> keys;  // as the settings name them
 };
 
 class Memory {

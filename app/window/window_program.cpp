@@ -23,6 +23,9 @@ WindowProgram::WindowProgram(const LiveArguments& arguments)
 
 WindowProgram::~WindowProgram() {
   jobs_.reset();
+  // What was recorded, swung and marked is kept before the window is gone.
+  if (recording_ && live_) record(false);
+  if (keeping_) keeping_->drain();
   keeping_.reset();
   live_.reset();
 }
@@ -53,6 +56,9 @@ Result<void> WindowProgram::start(const LiveArguments& arguments) {
   model_.palette = remembered.palette == "colour-blind" ? Palette::ColourBlindSafe : Palette::RedGreen;
   model_.text_size = remembered.text_size;
   model_.is_sound_on = remembered.is_sound_on;
+  SavedKeyMap keys = key_map_from(remembered.keys);
+  model_.keys = std::move(keys.keys);
+  for (std::string& message : keys.messages) tell(ToastKind::Warning, std::move(message));
   person_ = people_.default_person(arguments.person.empty() ? remembered.person : arguments.person);
   if (!arguments.person.empty()) choose_person(arguments.person);
   if (!arguments.coach.empty()) person_.coach = arguments.coach;
@@ -60,6 +66,7 @@ Result<void> WindowProgram::start(const LiveArguments& arguments) {
   refresh_coaches();
   refresh_cameras();
   refresh_swings();
+  look_for_leftovers();
   apply_person();
   choose_coach(person_.coach);
   std::string source = arguments.source.empty() ? remembered.source : arguments.source;
@@ -186,6 +193,16 @@ void WindowProgram::perform_one(const Intent& intent, WindowState& state) {
           [&](const intent::MakeReference& it) { make_reference(it.id); },
           [&](const intent::ExportSwing& it) { export_swing(it.id, it.kind); },
           [&](const intent::ImportFile& it) { import_file(it.path, state); },
+          [&](const intent::SetMarks& it) { set_marks(it.id, it.marks); },
+          [&](const intent::KeepShown& it) { wanted_shot_ = it.area; },
+          [&](const intent::ListFolder& it) { list_folder(it.path); },
+          [&](const intent::KeepLeftover& it) { settle_leftover(it.folder, Shelf::Kept); },
+          [&](const intent::TrashLeftover& it) { settle_leftover(it.folder, Shelf::Trash); },
+          [&](const intent::SetKeys& it) {
+            model_.keys = it.keys;
+            memory_->remembered.keys = model_.keys.saved(memory_->remembered.keys);
+            memory_->save();
+          },
           [&](const intent::CancelJob& it) { jobs_->cancel(it.id); },
           [&](const intent::DismissToast& it) {
             std::erase_if(toasts_, [&](const TimedToast& toast) { return toast.toast.id == it.id; });

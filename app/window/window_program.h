@@ -39,6 +39,9 @@ class WindowProgram {
   double longest_sleep_s(const WindowState& state) const;
   bool wants_to_quit() const { return wants_to_quit_; }
   bool takes_full_screen() { return std::exchange(wants_full_screen_, false); }
+  // A part of the window that is to be kept as a picture, and where to.
+  std::optional<Rect> takes_shot() { return std::exchange(wanted_shot_, std::nullopt); }
+  void keep_shot(const Image& picture);
 
  private:
   explicit WindowProgram(const LiveArguments& arguments);
@@ -56,6 +59,7 @@ class WindowProgram {
   void choose_filmed_coach(const Reference& reference);
   void remember_coach(const std::string& source);
   void take_snapshot();
+  void keep_picture(const Image& picture);
   void record(bool is_on);
   void refresh_cameras();
 
@@ -68,6 +72,15 @@ class WindowProgram {
   void make_reference(const std::string& id);
   void trash_swing(const std::string& id, WindowState& state);
   void refresh_coaches();
+
+  // window_program_marks.cpp
+  void set_marks(const std::string& id, const Marks& marks);
+  void store_marks();
+
+  // window_program_files.cpp
+  void list_folder(const std::string& path);
+  void look_for_leftovers();
+  void settle_leftover(const std::string& folder, Shelf shelf);
 
   // window_program_people.cpp
   void choose_person(const std::string& name);
@@ -104,6 +117,10 @@ class WindowProgram {
   LoopState last_loop_ = LoopState::Off;
   double replay_until_s_ = 0;
   std::optional<ScreenName> wanted_screen_;
+  std::optional<Rect> wanted_shot_;
+  std::vector<Leftover> leftovers_;
+  bool is_storing_marks_ = false;
+  std::optional<SwingDraft> recording_;  // the session that is being recorded
   bool wants_to_quit_ = false, wants_full_screen_ = false;
   std::unique_ptr<LiveSession> live_;
   // Last: their work uses the above. Keeping swings never waits for what the user asked for, nor he for it.

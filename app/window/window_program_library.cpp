@@ -6,6 +6,7 @@
 #include "app/stored_swing.h"
 #include "app/window/live_session.h"
 #include "app/window/window_program.h"
+#include "core/base/log.h"
 #include "core/image/image_codec.h"
 #include "core/session/disk.h"
 #include "core/session/wall_time.h"
@@ -50,6 +51,8 @@ std::string_view ending_of(ExportKind kind) {
   switch (kind) {
     case ExportKind::OverlayFilm:
       return ".overlay.mp4";
+    case ExportKind::DrawnFilm:
+      return ".drawn.overlay.mp4";
     case ExportKind::Report:
       return ".html";
     case ExportKind::Csv:
@@ -60,6 +63,16 @@ std::string_view ending_of(ExportKind kind) {
       break;
   }
   return ".trc";
+}
+
+// What the pose stage saw and what was answered, so that the next time is quick.
+Result<void> keep_answer(Library& library, const Swing& swing, const AnalyzedSwing& answer) {
+  Result<SwingDraft> draft = library.begin_again(swing.id);
+  if (!draft) return tl::unexpected(draft.error());
+  if (const Result<void> added = add_answer(*draft, answer); !added) return added;
+  const Result<Swing> kept = library.keep(*std::move(draft));
+  if (!kept) return tl::unexpected(kept.error());
+  return {};
 }
 
 }  // namespace
@@ -113,13 +126,20 @@ void WindowProgram::open_swing(const std::string& id, bool as_second, WindowStat
                [this, swing = *swing, as_second](const Progress& progress) -> Result<JobQueue::Finish> {
                  Result<AnalyzedSwing> loaded = load_analyzed_swing(swing, {}, {pose_, {}, progress});
                  if (!loaded) return tl::unexpected(loaded.error());
+                 const bool is_new = !swing.file("pose");
+                 if (is_new)
+                   if (const Result<void> kept = keep_answer(*library_, swing, *loaded); !kept)
+                     log::warning(kept.error().message);
                  loaded->pictures = make_shared_store(std::move(loaded->pictures));
                  const auto opened = std::make_shared<const AnalyzedSwing>(*std::move(loaded));
-                 return JobQueue::Finish([this, opened, swing, as_second] {
+                 const Marks marks = read_marks(swing).value_or(Marks());
+                 return JobQueue::Finish([this, opened, swing, as_second, marks, is_new] {
+                   if (is_new) refresh_swings();
                    const std::string title =
                        title_from_name(swing.facts.stroke.empty() ? "swing" : swing.facts.stroke) + ", " +
                        to_words(swing.facts.recorded_at);
                    OpenedSwing made = make_opened(swing.id, title, opened, swing.facts.star);
+                   made.marks = marks;
                    if (as_second && model_.opened) {
                      model_.compared = std::move(made);
                    } else {
@@ -202,7 +222,8 @@ void WindowProgram::export_swing(const std::string& id, ExportKind kind) {
           return tl::unexpected(made.error());
         const std::filesystem::path file =
             folder / (swing.folder.filename().string() + std::string(ending_of(kind)));
-        const ExportOptions options{{}, {pose_, {}, progress}, palette, library};
+        const bool has_drawings = kind == ExportKind::DrawnFilm;
+        const ExportOptions options{{}, {pose_, {}, progress}, palette, library, has_drawings};
         if (const Result<void> written = posecoach::export_swing(swing, file, options); !written)
           return tl::unexpected(written.error());
         return JobQueue::Finish([this, file] { tell(ToastKind::Good, "Exported: " + file.string()); });

@@ -150,25 +150,57 @@ void WindowProgram::remember_coach(const std::string& source) {
 }
 
 void WindowProgram::take_snapshot() {
-  const std::optional<Frame> frame = live_->runner().newest_frame();
-  if (!frame) return;
+  if (const std::optional<Frame> frame = live_->runner().newest_frame()) keep_picture(*frame->image);
+}
+
+void WindowProgram::keep_shot(const Image& picture) {
+  keep_picture(picture);
+}
+
+void WindowProgram::keep_picture(const Image& picture) {
   const Result<std::filesystem::path> path = file_for_now(places_.library / "Pictures", "picture", ".png");
   if (!path) return tell(ToastKind::Warning, path.error().message);
-  if (const Result<void> written = write_png(*path, *frame->image); !written)
+  if (const Result<void> written = write_png(*path, picture); !written)
     return tell(ToastKind::Warning, written.error().message);
   tell(ToastKind::Good, "Picture kept: " + path->string());
 }
 
+// Into a draft of the library: what a sudden end leaves of it is found and offered at the next start.
 void WindowProgram::record(bool is_on) {
-  if (!is_on) {
-    const Result<std::string> film = live_->stop_recording();
-    return film ? tell(ToastKind::Good, "Session kept: " + *film)
-                : tell(ToastKind::Warning, film.error().message);
+  if (!library_) return tell(ToastKind::Warning, model_.library_message);
+  if (is_on) {
+    SwingFacts facts;
+    facts.recorded_at = wall_time_now();
+    facts.person = person_.name;
+    facts.hand = person_.hand;
+    facts.coach = model_.coach;
+    facts.camera = model_.snapshot ? model_.snapshot->source : model_.source;
+    facts.notes = "Recorded session";
+    Result<SwingDraft> draft = library_->begin(facts);
+    if (!draft) return tell(ToastKind::Warning, draft.error().message);
+    if (const Result<void> started = live_->start_recording(draft->path("film.mkv").string()); !started)
+      return tell(ToastKind::Warning, started.error().message);
+    recording_ = *std::move(draft);
+    return;
   }
-  const Result<std::filesystem::path> path = file_for_now(places_.library / "Sessions", "session", ".mkv");
-  if (!path) return tell(ToastKind::Warning, path.error().message);
-  if (const Result<void> started = live_->start_recording(path->string()); !started)
-    tell(ToastKind::Warning, started.error().message);
+  const double seconds = live_->recording().seconds;
+  const Result<std::string> film = live_->stop_recording();
+  if (!film) tell(ToastKind::Warning, film.error().message);
+  if (!recording_) return;
+  // Keeping digests the film: not on this thread. Jobs can be copied, drafts cannot.
+  recording_->facts().seconds = seconds;
+  const auto draft = std::make_shared<SwingDraft>(*std::exchange(recording_, std::nullopt));
+  keeping_->start(
+      "Keeping the session",
+      [this, draft](const Progress& progress) -> Result<JobQueue::Finish> {
+        const Result<Swing> kept = library_->keep(std::move(*draft), progress);
+        if (!kept) return tl::unexpected(kept.error());
+        return JobQueue::Finish([this, id = kept->id] {
+          refresh_swings();
+          tell(ToastKind::Good, "The session is in the library.", "Review", intent::OpenSwing{id});
+        });
+      },
+      false);
 }
 
 void WindowProgram::refresh_cameras() {

@@ -49,6 +49,14 @@ Result<Side> make_side(const Motion& motion, std::optional<Handedness> hand, con
   return side;
 }
 
+// Whether the moved events are there now.
+bool move_events(Side& side, const std::vector<MovedEvent>& moved) {
+  if (!side.events || moved.empty()) return false;
+  std::optional<SwingEvents> put = with_moved(*side.events, moved, side.track);
+  if (put) side.events = *std::move(put);
+  return put.has_value();
+}
+
 TimeWindow stroke_window(const SwingEvents& events) {
   return {events.events.front().time_s, events.events.back().time_s};
 }
@@ -173,6 +181,7 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   if (student->events && student->events->kind != coach->events->kind)
     return fail(ErrorCode::Incomplete,
                 text::strokes_differ(options.student_name, student->events->kind, options.coach_name));
+  const bool is_moved = move_events(*student, options.moved_events);
   const TimeWindow coach_window = stroke_window(*coach->events);
   const Alignment alignment =
       student->events
@@ -181,7 +190,9 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   if (student->events)
     student->events =
         events_put_right(*student->events, *coach->events, alignment, student->track, options.view);
+  if (is_moved) (void)move_events(*student, options.moved_events);
   Analysis analysis;
+  if (!options.moved_events.empty()) analysis.notes.push_back(text::moved_by_hand(is_moved));
   analysis.stroke = to_string(coach->events->kind);
   analysis.coach.frames = coach_motion.frame_count();
   analysis.coach.seconds = to_seconds(coach_motion.duration());

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/coaching/analysis.h"
+#include "core/coaching/moved_events.h"
 #include "core/coaching/sight.h"
 #include "core/coaching/strictness.h"
 #include "core/coaching/swing_events.h"
@@ -22,6 +23,9 @@ struct CompareOptions {
   // The coach's motion before it was carried over, frame by frame the same: the bend of his arms, which
   // closing the grip of longer arms would change, is told from it. Right-handed where `coach` is.
   const Motion* coach_himself = nullptr;
+  // The student's events that somebody put in their place by hand; frames of his motion. Everything that is
+  // told from events is told from these; a note says so, also where they cannot be and the found ones count.
+  std::vector<MovedEvent> moved_events = {};
   // How error messages call the two.
   std::string student_name = "the student's motion", coach_name = "the coach's motion";
 };

@@ -113,9 +113,17 @@ Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coac
   const Result<RetargetResult> personal =
       in_body(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
   if (!personal) return fail(personal.error().code, coach.source + ": " + personal.error().message);
-  Result<Analysis> analysis = compare(
-      student.motion, personal->motion,
-      {hand, student.view, student.sight, options.strictness, &right_coach, student.source, coach.source});
+  std::vector<MovedEvent> moved = options.moved_events;
+  for (MovedEvent& event : moved) event.frame -= student.first_frame;
+  Result<Analysis> analysis = compare(student.motion, personal->motion,
+                                      {.hand = hand,
+                                       .view = student.view,
+                                       .sight = student.sight,
+                                       .strictness = options.strictness,
+                                       .coach_himself = &right_coach,
+                                       .moved_events = std::move(moved),
+                                       .student_name = student.source,
+                                       .coach_name = coach.source});
   if (!analysis) return tl::unexpected(analysis.error());
 
   Motion drawn =

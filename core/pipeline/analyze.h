@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/coaching/analysis.h"
+#include "core/coaching/moved_events.h"
 #include "core/coaching/sight.h"
 #include "core/coaching/strictness.h"
 #include "core/coaching/viewpoint.h"
@@ -42,6 +43,7 @@ struct AnalyzeOptions {
   std::optional<Handedness> hand = {};  // the student's; detected when not given
   Strictness strictness = {};
   RetargetOptions retarget{kDefaultRetargetMethod, Contacts::On, RotationSource::FileFirst};
+  std::vector<MovedEvent> moved_events = {};  // by hand; frames of the film, as the analysis counts
 };
 
 struct AnalyzedPair {

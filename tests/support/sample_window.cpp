@@ -28,7 +28,7 @@ PictureLookup pictures_of(std::shared_ptr<const ReviewSwing> review) {
 }
 
 OpenedSwing opened(std::string id, std::string title, const std::shared_ptr<const ReviewSwing>& review) {
-  return {std::move(id), std::move(title), "today 14:32 · full swing", review, pictures_of(review), true};
+  return {std::move(id), std::move(title), "today 14:32 · full swing", review, pictures_of(review), true, {}};
 }
 
 std::shared_ptr<const Image> thumbnail(int frame) {
@@ -133,6 +133,23 @@ SampleWindow normal_window() {
   model.person = "anna";
   model.has_sound = true;
   model.folder = "/home/anna/Videos/VirtualPoseCoach";
+  model.listing = {
+      "/home/anna/Videos",
+      "/home/anna",
+      {{"Videos", "/home/anna/Videos", "", true},
+       {"Home", "/home/anna", "", true},
+       {"STICK", "/media/anna/STICK", "", true}},
+      {{"Range", "/home/anna/Videos/Range", "", true},
+       {"coach.bvh", "/home/anna/Videos/coach.bvh", "210 kB · 2026-05-12 18:04", false},
+       {"driver 12 May.mp4", "/home/anna/Videos/driver 12 May.mp4", "14 MB · 2026-05-12 18:10", false}},
+      ""};
+  model.leftovers = {{"/home/anna/Videos/VirtualPoseCoach/.unfinished/swing_1",
+                      "Recording of 2026-05-12 14:32", "18 MB of film · Anna"}};
+  window.state.hides_leftovers = true;
+  model.opened->marks = {{},
+                         {{DrawingKind::Line, 36, {{300, 300}, {330, 60}}},
+                          {DrawingKind::Angle, 36, {{250, 110}, {305, 140}, {300, 250}}}},
+                         {20, 36}};
   model.jobs = {{1, "Exporting swing 14", "drawing", 0.42}};
   model.toasts = {
       {1, ToastKind::Good, "Swing 14 is kept.", "", {}},
@@ -183,6 +200,18 @@ SampleWindow extreme_window() {
   }
   model.jobs.push_back({9, endless, endless, std::numeric_limits<double>::quiet_NaN()});
   model.folder = endless;
+  model.listing.path = model.listing.parent = endless;
+  for (int i = 0; i < 400; ++i) {
+    const std::string number = std::to_string(i);
+    model.listing.entries.push_back({endless, number, endless, i % 2 == 0});
+    model.listing.places.push_back({endless, number, "", true});
+    model.leftovers.push_back({number, endless, endless});
+    model.opened->marks.drawings.push_back({DrawingKind::Angle, 105, {{-1e9, 1e9}, {0, 0}, {1e9, 0}}});
+    model.opened->marks.key_pictures.push_back(1000 * i);
+  }
+  for (const KeyBinding& binding : key_bindings()) model.keys.set(binding.command, 1, {Key::F12, true, true});
+  window.state.zoom = {1e9, {-7, 12}};
+  window.state.tool = {DrawingKind::Angle, {{-50, 4000}}, Vec2(1e6, -1e6)};
   window.state.selected = "many399";
   window.state.playback.frame = 1'000'000;
   window.state.playback.in = -5;

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The window as a user drives it: on a display of its own, with keys and a mouse. Usage:
+# The window as a user drives it: on a display of its own, by keyboard only. Usage:
 #   window_end_to_end.sh PROGRAM FOLDER
 # FOLDER gets a screenshot of each step. Exit 77 means skipped, with the reason on standard output.
 set -u
@@ -33,10 +33,17 @@ if [ -z "${POSECOACH_MODELS:-}" ]; then
   [ -d "$models" ] && export POSECOACH_MODELS=$models
 fi
 export XDG_DATA_HOME=$home/data POSECOACH_LIBRARY=$home/swings
+# Nothing may be written here.
+export HOME=$home/nobody
+mkdir "$HOME"
 
 log=$pictures/program.log
-"$program" live --source simulated:swing > "$log" 2>&1 &
-window_program=$!
+: > "$log"
+start() {
+  "$program" live --source simulated:swing >> "$log" 2>&1 &
+  window_program=$!
+}
+start
 
 fail() {
   echo "FAILED: $*"
@@ -44,7 +51,18 @@ fail() {
   cat "$log"
   exit 1
 }
-shot() { import -window root "$pictures/$1.png" 2> /dev/null; }
+# A picture of the step; and no step has a socket of a network.
+shot() {
+  import -window root "$pictures/$1.png" 2> /dev/null
+  local inode
+  for inode in $(find "/proc/$window_program/fd" -lname "socket:*" -printf "%l\n" 2> /dev/null | tr -cd "0-9\n"); do
+    if grep -qs " $inode " "/proc/$window_program/net/tcp" "/proc/$window_program/net/tcp6" \
+      "/proc/$window_program/net/udp" "/proc/$window_program/net/udp6" "/proc/$window_program/net/raw"; then
+      echo "FAILED: a network socket at step $1"
+      exit 1
+    fi
+  done
+}
 # wait_for SECONDS WHAT COMMAND...: until the command succeeds.
 wait_for() {
   local seconds=$1 what=$2
@@ -65,40 +83,96 @@ has_picture() { [ "$(import -window root -crop 300x60+500+60 -resize 1x1! -depth
 swings() { find "$POSECOACH_LIBRARY" -path "*/Trash" -prune -o -name swing.json -print 2> /dev/null | wc -l; }
 has_swing() { [ "$(swings)" -ge 1 ]; }
 press() { xdotool key --clearmodifiers "$@"; sleep 0.6; }
+# tabs COUNT: so many places further.
+tabs() { for _ in $(seq "$1"); do xdotool key --clearmodifiers Tab; sleep 0.25; done; sleep 0.4; }
+settings=$XDG_CONFIG_HOME/virtual-pose-coach/settings.json
+# The file of that name of the one kept swing.
+of_swing() { find "$POSECOACH_LIBRARY" -path "*/Trash" -prune -o -path "*/.unfinished" -prune -o -name "$1" -print 2> /dev/null | head -1; }
+has_words() { grep -q "$2" "$(of_swing "$1")"; }
+has_no_words() { [ -n "$(of_swing "$1")" ] && ! grep -q "$2" "$(of_swing "$1")"; }
 
 wait_for 60 "window" is_shown
 xdotool search --name "Virtual Pose Coach" windowfocus 2> /dev/null
-xdotool mousemove 640 400
+# Out of the way: nothing is pressed with it.
+xdotool mousemove 1279 719
 wait_for 60 "picture" has_picture
 shot 01_live
 
-press F1; shot 02_keys; press Escape
-press ctrl+4; shot 03_set_up
+# The sheet of keys, and another second key for it: the last place of the sheet is "Change keys".
+press F1; sleep 1; shot 02_keys
+press shift+Tab; press Return; shot 03_change_keys
+tabs 3; press Return; press F2
+has_key() { grep -q '"keys": "F1 F2"' "$settings"; }
+wait_for 20 "changed key in the settings" has_key
+press Escape; press F2; shot 04_keys_changed; press Escape
+
+press ctrl+4; shot 05_set_up
 press ctrl+1
-press h; sleep 1; shot 04_armed
+press h; sleep 1; shot 06_armed
 wait_for 240 "kept swing" has_swing
-sleep 1; shot 05_answer
+sleep 1; shot 07_answer
 press Return; sleep 2
-shot 06_review
-press Right; press Right; press period; shot 07_stepped
-press d; shot 08_from_the_side
-press space; sleep 1; press space
+shot 08_review
+press Right; press Right; press period; shot 09_stepped
+press d; press e; press ctrl+plus; shot 10_from_the_side
+press ctrl+0; press space; sleep 1; press space
 # No further swings while this one is looked at.
-press ctrl+1; press Escape; press h; press ctrl+3; sleep 1; shot 09_library
+press ctrl+1; press Escape; press h; press ctrl+3; sleep 1; shot 11_library
 # The kept swing, opened from its files: the play button is there again, bright.
 press Right; press Return
 is_review() { [ "$(import -window root -crop 12x4+184+446 -resize 1x1! -depth 8 rgb:- | od -An -v -tx1 | tr -d " " | cut -c5-6)" \> "d0" ]; }
 wait_for 120 "opened swing" is_review
-shot 10_opened
-# Export: the report page, by the mouse.
-xdotool mousemove 1206 30 click 1; sleep 1; shot 11_export
-xdotool mousemove 1180 130 click 1
+shot 12_opened
+
+# A position put in its place by hand is stored beside the film and analysed anew; taken back, it is as found.
+press 4; press ctrl+shift+Right
+wait_for 60 "moved position" has_words marks.json '"top"'
+wait_for 20 "new analysis" has_words analysis.json "moved by hand"
+sleep 1; shot 13_moved
+press ctrl+z
+wait_for 60 "position as it was found" has_no_words marks.json '"top"'
+wait_for 20 "the first analysis" has_no_words analysis.json "moved by hand"
+# A line and a key picture.
+press n; press Left; press Return
+for _ in 1 2 3 4 5 6; do xdotool key Down; sleep 0.1; done
+press Return; press Insert
+wait_for 60 "stored line" has_words marks.json '"line"'
+sleep 1; shot 14_drawn
+# The films on disk are as they were recorded.
+"$program" library verify > "$pictures/verify.log" 2>&1 || fail "the library is not as it was stored"
+
+# Export: its list is the sixth place, the report its third entry.
+tabs 6; press Return; shot 15_export
+press Down; press Down; press Return
 has_report() { ls "$POSECOACH_LIBRARY"/Exports/*.html; }
 wait_for 120 "exported report" has_report
-shot 12_exported
-# Another coach.
-press ctrl+4; sleep 1
-xdotool mousemove 960 197 click 1; sleep 1; shot 13_coach
+shot 16_exported
+# Another coach: below the rail, the camera and the person.
+press ctrl+4
+tabs 18; shot 17_coach_ringed
+press Return
+has_coach() { grep -rq '"bundled:putt"' "$XDG_DATA_HOME"/virtual-pose-coach/people; }
+wait_for 20 "chosen coach" has_coach
+shot 18_coach
+
+# Killed while it records: the next start offers what is left, and Enter keeps it.
+press ctrl+1; press r
+is_filming() { [ "$(stat -c %s "$POSECOACH_LIBRARY"/.unfinished/swing_*/film.mkv 2> /dev/null || echo 0)" -gt 100000 ]; }
+wait_for 60 "recording" is_filming
+shot 19_recording
+before=$(swings)
+kill -KILL "$window_program"
+wait "$window_program" 2> /dev/null
+start
+wait_for 60 "window" is_shown
+xdotool search --name "Virtual Pose Coach" windowfocus 2> /dev/null
+sleep 4; shot 20_left_over
+[ "$(swings)" -eq "$before" ] || fail "what was left over was kept without being asked for"
+is_recovered() { xdotool key Return; [ "$(swings)" -gt "$before" ]; }
+wait_for 60 "recovered recording" is_recovered
+sleep 1; shot 21_recovered
+press ctrl+3; sleep 1; shot 22_library
+
 press ctrl+q
 for _ in $(seq 100); do kill -0 "$window_program" 2> /dev/null || break; sleep 0.1; done
 kill -0 "$window_program" 2> /dev/null && fail "the program does not quit"
@@ -106,4 +180,5 @@ wait "$window_program"
 status=$?
 window_program=
 [ "$status" -eq 0 ] || fail "exit code $status"
-echo "the whole loop was driven; screenshots are in $pictures"
+[ -z "$(find "$HOME" -type f)" ] || fail "files outside the XDG folders: $(find "$HOME" -type f)"
+echo "the whole loop was driven by keyboard; screenshots are in $pictures"

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "ui/screens/key_map.h"
 #include "ui/widgets/controls.h"
 
 namespace posecoach {
@@ -98,22 +97,24 @@ void draw_rail(const PanelContext& context, const Rect& area) {
     ScreenName screen;
     Icon icon;
     std::string_view words, hint;
+    Command command;
   };
   constexpr std::array<Place, 4> kPlaces = {
-      {{ScreenName::Live, Icon::Live, "Live", "Practise (Ctrl+1)"},
-       {ScreenName::Review, Icon::Review, "Review", "Look closely (Ctrl+2)"},
-       {ScreenName::Library, Icon::Library, "Library", "Kept swings (Ctrl+3)"},
-       {ScreenName::SetUp, Icon::SetUp, "Set-up", "Camera, you, coach (Ctrl+4)"}}};
+      {{ScreenName::Live, Icon::Live, "Live", "Practise", Command::ShowLive},
+       {ScreenName::Review, Icon::Review, "Review", "Look closely", Command::ShowReview},
+       {ScreenName::Library, Icon::Library, "Library", "Kept swings", Command::ShowLibrary},
+       {ScreenName::SetUp, Icon::SetUp, "Set-up", "Camera, you, coach", Command::ShowSetUp}}};
   for (const Place& place : kPlaces)
-    draw_place(context, inner.take_top(62, 6), place.screen, place.icon, place.words, place.hint);
+    draw_place(context, inner.take_top(62, 6), place.screen, place.icon, place.words,
+               context.hint(place.hint, place.command));
   const Rect keys = inner.take_bottom(52, 6);
   const Interaction on = ui.region("keys", keys);
   if (on.hovered) ui.fill(keys, theme.raised, radius::kMedium);
   ui.focus_ring(keys, radius::kMedium, on);
   draw_icon(ui, Icon::Keyboard, {keys.centre().x, keys.y + 19}, 21, theme.quiet);
-  ui.text_in(TextStyle::Caption, {keys.x, keys.bottom() - 22, keys.width, 18}, "F1", theme.quiet,
+  ui.text_in(TextStyle::Caption, {keys.x, keys.bottom() - 22, keys.width, 18}, "Keys", theme.quiet,
              Align::Centre);
-  ui.tooltip(keys, on, "All keys (F1)");
+  ui.tooltip(keys, on, context.hint("All keys", Command::ShowKeys));
   if (on.hovered) ui.use_hand_pointer();
   if (on.clicked) context.state.shows_keys = true;
 }
@@ -149,8 +150,9 @@ void draw_export_menu(const PanelContext& context, const Rect& area, const std::
     ExportKind kind;
     Choice choice;
   };
-  static const std::array<Entry, 5> kEntries = {
+  static const std::array<Entry, 6> kEntries = {
       {{ExportKind::OverlayFilm, {"Film with both skeletons", "MP4"}},
+       {ExportKind::DrawnFilm, {"The same with what you drew", "MP4; each drawing stays for half a second"}},
        {ExportKind::Report, {"Report", "HTML page, for any browser"}},
        {ExportKind::Csv, {"Joint positions", "CSV table"}},
        {ExportKind::Bvh, {"Motion", "BVH, for animation programs"}},
@@ -160,80 +162,6 @@ void draw_export_menu(const PanelContext& context, const Rect& area, const std::
   const int picked = draw_dropdown(context.ui, "export", area, "Export", choices, -1, Icon::Export);
   if (picked >= 0)
     context.want(intent::ExportSwing{swing_id, kEntries[static_cast<std::size_t>(picked)].kind});
-}
-
-void draw_key_sheet(const PanelContext& context, const Rect& area) {
-  Ui& ui = context.ui;
-  const Theme& theme = context.theme();
-  ui.fill(area, theme.scrim);
-  const double width = std::min(1060.0, area.width - 32), height = std::min(640.0, area.height - 32);
-  const Rect card{area.centre().x - 0.5 * width, area.centre().y - 0.5 * height, width, height};
-  ui.shadow(card, radius::kLarge, 24);
-  Rect inner = draw_card(ui, card, 26);
-  Rect heading = inner.take_top(34, 14);
-  if (draw_button(ui, heading.take_right(36),
-                  {.id = "close keys", .icon = Icon::Cross, .look = ButtonLook::Quiet}))
-    context.state.shows_keys = false;
-  ui.text_in(TextStyle::Heading, heading, "Keys", theme.text);
-  constexpr double kLine = 23;
-  constexpr std::array<std::array<KeyGroup, 2>, 3> kColumns = {{{KeyGroup::Everywhere, KeyGroup::Live},
-                                                                {KeyGroup::Player, KeyGroup::Player},
-                                                                {KeyGroup::Review, KeyGroup::Library}}};
-  for (int c = 0; c < 3; ++c) {
-    Rect column = inner.column(c, 3, 34);
-    const auto& groups = kColumns[static_cast<std::size_t>(c)];
-    for (std::size_t g = 0; g < (groups[0] == groups[1] ? 1U : 2U); ++g) {
-      ui.text_in(TextStyle::Strong, column.take_top(26), title_of(groups[g]), theme.accent);
-      for (const KeyBinding& binding : key_bindings()) {
-        if (binding.group != groups[g] || column.height < kLine) continue;
-        Rect row = column.take_top(kLine);
-        std::string keys = to_words(binding.first);
-        if (binding.second.key != Key::None) keys += "  or  " + to_words(binding.second);
-        ui.text_in(TextStyle::Body, row.take_left(0.5 * row.width, 8), binding.words, theme.text);
-        ui.text_in(TextStyle::Body, row, keys, theme.quiet);
-      }
-      if (groups[g] == KeyGroup::Player && column.height >= kLine) {
-        Rect row = column.take_top(kLine);
-        ui.text_in(TextStyle::Body, row.take_left(0.5 * row.width, 8), "Go to a position", theme.text);
-        ui.text_in(TextStyle::Body, row, "1 to 8", theme.quiet);
-      }
-      column.take_top(14);
-    }
-    if (c == 2) {
-      ui.text_in(TextStyle::Strong, column.take_top(26), "Without a mouse", theme.accent);
-      ui.paragraph(TextStyle::Body, column,
-                   "Tab and Shift+Tab go from button to button, Enter presses. While you write, keys go into "
-                   "the text.",
-                   theme.quiet, 4);
-    }
-  }
-}
-
-void draw_import_dialog(const PanelContext& context, const Rect& area) {
-  Ui& ui = context.ui;
-  const Theme& theme = context.theme();
-  ui.fill(area, theme.scrim);
-  const double width = std::min(560.0, area.width - 32), height = 218;
-  const Rect card{area.centre().x - 0.5 * width, area.centre().y - 0.5 * height, width, height};
-  ui.shadow(card, radius::kLarge, 24);
-  Rect inner = draw_card(ui, card, 24);
-  ui.text_in(TextStyle::Heading, inner.take_top(32, 8), "Import a film", theme.text);
-  ui.paragraph(TextStyle::Body, inner.take_top(22, 10), "Write where it is, or drop it on the window.",
-               theme.quiet, 1);
-  ui.text_field("import path", inner.take_top(38, 18), context.state.typed_import,
-                "/home/you/Videos/swing.mp4");
-  Rect row = inner.take_top(38);
-  const bool is_ready = !context.state.typed_import.empty();
-  const bool is_entered = is_ready && ui.take_key({Key::Enter});
-  if (draw_button(
-          ui, row.take_right(120, 10),
-          {.id = "import now", .words = "Import", .look = ButtonLook::Primary, .is_enabled = is_ready}) ||
-      is_entered) {
-    context.want(intent::ImportFile{context.state.typed_import});
-    context.state.typed_import.clear();
-    ui.close_popup();
-  }
-  if (draw_button(ui, row.take_right(100), {.id = "import not", .words = "Cancel"})) ui.close_popup();
 }
 
 }  // namespace posecoach

@@ -127,7 +127,8 @@ void draw_library_bar(const PanelContext& context, const Rect& area) {
                       .words = "Import",
                       .icon = Icon::Import,
                       .hint = "A film of a swing; or drop it on the window"};
-  if (draw_button(ui, row.take_right(button_width(ui, import), 10), import)) ui.open("import");
+  if (draw_button(ui, row.take_right(button_width(ui, import), 10), import))
+    open_import_dialog(context, BrowseFor::Swing);
   Rect search = row.take_right(std::min(300.0, row.width));
   ui.text_field("search", search, state.search, "Search: name, date, note");
 }
@@ -222,12 +223,13 @@ void draw_swing_details(const PanelContext& context, const Rect& area) {
       context.want(intent::MakeReference{card->id});
     draw_export_menu(context, pair.column(1, 2, 8), card->id);
   }
+  const std::string hint = context.hint("It can be put back", Command::MoveToTrash);
   if (draw_button(ui, inner.take_bottom(36, 12),
                   {.id = "trash",
                    .words = "Move to trash",
                    .icon = Icon::Trash,
                    .look = ButtonLook::Quiet,
-                   .hint = "It can be put back (Delete)"}))
+                   .hint = hint}))
     context.want(intent::TrashSwing{card->id});
   if (state.notes_of != card->id) {
     state.notes_of = card->id;

@@ -1,6 +1,5 @@
 #include "ui/panels/live_panels.h"
 #include "ui/render/words.h"
-#include "ui/screens/key_map.h"
 #include "ui/widgets/controls.h"
 
 namespace posecoach {
@@ -47,13 +46,20 @@ void draw_pace(const PanelContext& context, Rect area) {
 void draw_live_controls(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   const bool is_on = context.model.snapshot && context.model.snapshot->loop != LoopState::Off;
+  const std::string hands_free_hint =
+      context.hint("Every swing is found, answered and kept by itself", Command::HandsFree);
+  const std::string measure_hint =
+      context.hint("Stand still for a few seconds: the coach gets your body", Command::Measure);
+  const std::string record_hint = context.hint("Keep the whole session as a film", Command::Record);
+  const std::string mirror_hint =
+      context.hint("Mirror the picture; what is kept stays as it is", Command::Mirror);
   ui.shadow(area, radius::kLarge, 14);
   Rect row = draw_card(ui, area, 9);
   const Button hands_free{.id = "hands-free",
                           .words = is_on ? "Stop hands-free" : "Start hands-free",
                           .icon = is_on ? Icon::Pause : Icon::Play,
                           .look = is_on ? ButtonLook::Plain : ButtonLook::Primary,
-                          .hint = "Every swing is found, answered and kept by itself (H)"};
+                          .hint = hands_free_hint};
   if (draw_button(ui, row.take_left(button_width(ui, hands_free), 8), hands_free)) {
     if (is_on)
       context.want(intent::DisarmHandsFree{});
@@ -64,14 +70,14 @@ void draw_live_controls(const PanelContext& context, const Rect& area) {
                        .words = "Measure me",
                        .icon = Icon::Measure,
                        .look = ButtonLook::Quiet,
-                       .hint = "Stand still for a few seconds: the coach gets your body (B)"};
+                       .hint = measure_hint};
   if (draw_button(ui, row.take_left(button_width(ui, measure), 4), measure))
     context.want(intent::MeasureBody{});
   const Button record{.id = "record",
                       .words = context.model.is_recording ? "Stop recording" : "Record",
                       .icon = Icon::Record,
                       .look = ButtonLook::Quiet,
-                      .hint = "Keep the whole session as a film (R)",
+                      .hint = record_hint,
                       .is_on = context.model.is_recording};
   if (draw_button(ui, row.take_left(button_width(ui, record), 4), record)) {
     if (context.model.is_recording)
@@ -82,7 +88,7 @@ void draw_live_controls(const PanelContext& context, const Rect& area) {
   const Button mirror{.id = "mirror",
                       .icon = Icon::Mirror,
                       .look = ButtonLook::Quiet,
-                      .hint = "Mirror the picture; what is kept stays as it is (M)",
+                      .hint = mirror_hint,
                       .is_on = context.state.is_mirrored};
   if (draw_button(ui, row.take_left(button_width(ui, mirror), 12), mirror))
     context.state.is_mirrored = !context.state.is_mirrored;
@@ -134,11 +140,12 @@ void draw_replay(const PanelContext& context, const Rect& area) {
     ui.paragraph(TextStyle::Title, others.take_top(height, 8), then, theme.quiet, 3);
   }
   Rect buttons = bottom.take_top(38, 12);
-  if (draw_button(
-          ui, buttons.column(0, 2, 10),
-          {.id = "open", .words = "Review (Enter)", .icon = Icon::Review, .look = ButtonLook::Primary}))
+  const std::string review_words = context.hint("Review", Command::ReviewLast),
+                    live_words = context.hint("Live", Command::Back);
+  if (draw_button(ui, buttons.column(0, 2, 10),
+                  {.id = "open", .words = review_words, .icon = Icon::Review, .look = ButtonLook::Primary}))
     context.want(intent::OpenLastSwing{});
-  if (draw_button(ui, buttons.column(1, 2, 10), {.id = "leave", .words = "Live (Esc)", .icon = Icon::Live}))
+  if (draw_button(ui, buttons.column(1, 2, 10), {.id = "leave", .words = live_words, .icon = Icon::Live}))
     context.want(intent::LeaveReplay{});
   ui.text_in(
       TextStyle::Caption, bottom,

@@ -15,6 +15,12 @@ struct PanelContext {
 
   const Theme& theme() const { return ui.theme(); }
   void want(Intent intent) const { intents.push_back(std::move(intent)); }
+  // Takes the command's key from this frame.
+  bool pressed(Command command) const { return was_pressed(ui, model.keys, command); }
+  // "Star (B)".
+  std::string hint(std::string_view words, Command command) const {
+    return with_key(model.keys, words, command);
+  }
 };
 
 using PanelFunction = void (*)(const PanelContext& context, const Rect& area);

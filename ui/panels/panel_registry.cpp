@@ -38,7 +38,8 @@ std::span<const RegisteredPanel> registered_panels() {
       RegisteredPanel{"rail", 84, 720, draw_rail},
       RegisteredPanel{"messages", 480, 360, draw_messages},
       RegisteredPanel{"key_sheet", 1280, 720, draw_key_sheet},
-      RegisteredPanel{"import_dialog", 640, 300, draw_import_dialog},
+      RegisteredPanel{"import_dialog", 900, 600, draw_import_dialog},
+      RegisteredPanel{"leftovers", 660, 420, draw_leftovers},
   };
   return kPanels;
 }

@@ -12,8 +12,10 @@ struct FilmView {
   int picture = 0;
   const ReviewSwing* over = nullptr;  // another student over this one, in the coach's place
   bool is_mirrored = false;
+  FilmZoom zoom = {};
 };
-void draw_film(const PanelContext& context, const Rect& area, const FilmView& film);
+// Where the film lies now.
+FilmPlace draw_film(const PanelContext& context, const Rect& area, const FilmView& film);
 
 void draw_review_header(const PanelContext& context, const Rect& area);
 // The film, or both films when two swings are compared.

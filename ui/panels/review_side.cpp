@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "ui/panels/common_panels.h"
+#include "ui/panels/review_events.h"
 #include "ui/panels/review_panels.h"
 #include "ui/render/words.h"
-#include "ui/screens/key_map.h"
 #include "ui/widgets/controls.h"
 
 namespace posecoach {
@@ -175,27 +175,37 @@ void draw_review_header(const PanelContext& context, const Rect& area) {
   if (draw_button(ui, place(reference), reference)) context.want(intent::MakeReference{swing.id});
   if (model.compared) {
     constexpr std::array<std::string_view, 2> kLooks = {"Side by side", "In one"};
-    const int look = draw_segments(ui, "compare look", row.take_right(190, 6), kLooks,
+    const int look = draw_segments(ui, "compare look", row.take_right(224, 6), kLooks,
                                    static_cast<int>(context.state.compare));
     context.state.compare = static_cast<CompareLook>(look);
     const Button stop{
         .id = "stop comparing", .icon = Icon::Cross, .look = ButtonLook::Quiet, .hint = "One swing only"};
     if (draw_button(ui, place(stop), stop)) context.want(intent::StopComparing{});
   } else {
+    const std::string compare_hint = context.hint("Choose a second swing", Command::SideBySide);
     const Button compare{.id = "compare",
                          .words = "Compare",
                          .icon = Icon::SideBySide,
                          .look = ButtonLook::Quiet,
-                         .hint = "Choose a second swing (F8, F9)"};
+                         .hint = compare_hint};
     if (draw_button(ui, place(compare), compare)) {
       context.state.is_picking_second = true;
       context.state.screen = ScreenName::Library;
     }
   }
+  if (!swing.marks.events.empty()) {
+    const Button found{.id = "found positions",
+                       .words = "Positions as found",
+                       .icon = Icon::Undo,
+                       .look = ButtonLook::Quiet,
+                       .hint = "What you moved by hand goes back"};
+    if (draw_button(ui, place(found), found)) put_events_back(context);
+  }
+  const std::string star_hint = context.hint("Star", Command::ToggleStar);
   const Button star{.id = "star",
                     .icon = swing.is_starred ? Icon::StarFilled : Icon::Star,
                     .look = ButtonLook::Quiet,
-                    .hint = "Star (B)",
+                    .hint = star_hint,
                     .is_on = swing.is_starred};
   if (draw_button(ui, place(star), star)) context.want(intent::SetStar{swing.id, !swing.is_starred});
   const double title = std::min(ui.text_width(TextStyle::Title, swing.title) + 14, row.width);

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/panels/review_events.h"
 #include "ui/panels/review_panels.h"
 #include "ui/render/words.h"
 #include "ui/widgets/controls.h"
@@ -240,7 +241,6 @@ void draw_timeline(const PanelContext& context, const Rect& area) {
       ui.line({x, layout.coach_y}, {x + 6, layout.coach_y}, theme.surface.with_alpha(1), 4);
   draw_ribbon(context, review, layout);
   draw_row_names(context, layout);
-  draw_now(context, review, layout);
   // The student's half scrubs his time, the coach's half the coach's.
   const double middle = 0.5 * (layout.student_y + layout.coach_y);
   const Rect upper{layout.left - 8, layout.figures_above.bottom(), layout.right - layout.left + 16,
@@ -257,6 +257,11 @@ void draw_timeline(const PanelContext& context, const Rect& area) {
   if (on.held)
     context.state.playback =
         moved_to(playback, picture_of_coach_time(review, layout.coach_time(on.mouse.x)), film);
+  // Over the rows: they are there to be dragged.
+  draw_event_handles(context, {layout.student_y,
+                               [&](int picture) { return layout.student_x(picture_time(review, picture)); },
+                               [&](double x) { return frame_at(layout.student_time(x), film); }});
+  draw_now(context, review, layout);
 }
 
 }  // namespace posecoach

@@ -3,7 +3,6 @@
 
 #include "ui/panels/review_panels.h"
 #include "ui/render/words.h"
-#include "ui/screens/key_map.h"
 #include "ui/widgets/controls.h"
 
 namespace posecoach {
@@ -42,6 +41,11 @@ void draw_scrubber(const PanelContext& context, const Rect& area) {
   }
   ui.fill({bar.x, bar.y, at(playback.frame) - bar.x, bar.height}, theme.accent, 3);
   for (const int event : film.events) ui.fill({at(event) - 1, bar.y - 2, 2, bar.height + 4}, theme.quiet, 1);
+  // Key pictures are diamonds below the bar.
+  for (const int picture : context.model.opened->marks.key_pictures) {
+    const Vec2 tip(at(picture), bar.bottom() + 3);
+    ui.polygon(std::array{tip, tip + Vec2(4.5, 5), tip + Vec2(0, 10), tip + Vec2(-4.5, 5)}, theme.warning);
+  }
   ui.disc({at(playback.frame), bar.centre().y}, on.held || on.hovered ? 9 : 7.5, theme.text);
   if (on.hovered) ui.use_hand_pointer();
 }
@@ -53,31 +57,35 @@ void draw_transport(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   const Theme& theme = context.theme();
   const ReviewSwing& review = *context.model.opened->review;
-  const FilmMarks film = marks_of(review);
+  const std::vector<int> stops = stops_of(review, context.model.opened->marks);
+  FilmMarks film = marks_of(review);
+  film.stops = stops;
   Playback& playback = context.state.playback;
   playback.frame = shown_picture(context);
   Rect row = area;
   struct Deed {
     Icon icon;
-    PlaybackCommand command;
+    PlaybackCommand deed;
+    Command command;
     std::string_view id, hint;
   };
   const std::array<Deed, 5> deeds = {{
-      {Icon::ToStart, PlaybackCommand::PreviousEvent, "before", "Position before (Ctrl+←)"},
-      {Icon::StepBack, PlaybackCommand::StepBack, "back", "One picture back (←)"},
-      {playback.is_playing ? Icon::Pause : Icon::Play, PlaybackCommand::PlayPause, "play",
-       "Play, pause (Space)"},
-      {Icon::StepForward, PlaybackCommand::StepForward, "on", "One picture on (→)"},
-      {Icon::ToEnd, PlaybackCommand::NextEvent, "after", "Position after (Ctrl+→)"},
+      {Icon::ToStart, PlaybackCommand::PreviousEvent, Command::PreviousEvent, "before", "Position before"},
+      {Icon::StepBack, PlaybackCommand::StepBack, Command::StepBack, "back", "One picture back"},
+      {playback.is_playing ? Icon::Pause : Icon::Play, PlaybackCommand::PlayPause, Command::PlayPause, "play",
+       "Play, pause"},
+      {Icon::StepForward, PlaybackCommand::StepForward, Command::StepForward, "on", "One picture on"},
+      {Icon::ToEnd, PlaybackCommand::NextEvent, Command::NextEvent, "after", "Position after"},
   }};
   for (const Deed& deed : deeds) {
-    const bool is_play = deed.command == PlaybackCommand::PlayPause;
+    const bool is_play = deed.command == Command::PlayPause;
+    const std::string hint = context.hint(deed.hint, deed.command);
     const Button button{.id = deed.id,
                         .icon = deed.icon,
                         .look = is_play ? ButtonLook::Primary : ButtonLook::Quiet,
-                        .hint = deed.hint};
+                        .hint = hint};
     if (draw_button(ui, row.take_left(is_play ? 44 : 36, 4), button))
-      playback = applied(playback, deed.command, film);
+      playback = applied(playback, deed.deed, film);
   }
   row.take_left(6);
   const double seconds =
@@ -100,10 +108,11 @@ void draw_transport(const PanelContext& context, const Rect& area) {
       (playback.shuttle < 0 ? "− " : "") + speed_words(playback.speed * std::abs(playback.shuttle));
   const int picked = draw_dropdown(ui, "speed", right.take_left(76, 6).inset(0, 3), shown, speeds, chosen);
   if (picked >= 0) playback.speed = kSpeeds[picked];
+  const std::string loop_hint = context.hint("Loop", Command::ToggleLoop);
   const Button loop{.id = "loop",
                     .icon = Icon::Loop,
                     .look = ButtonLook::Quiet,
-                    .hint = "Loop (Shift+L); mark its part with I and O",
+                    .hint = loop_hint,
                     .is_on = playback.loop != LoopMode::Once};
   if (draw_button(ui, right.take_left(38), loop))
     playback = applied(playback, PlaybackCommand::ToggleLoop, film);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "ui/panels/common_panels.h"
 #include "ui/render/words.h"
 #include "ui/widgets/controls.h"
 
@@ -89,8 +90,10 @@ void draw_camera_choice(const PanelContext& context, const Rect& area) {
   Rect typed = inner.take_bottom(36, 10);
   const Rect use = typed.take_right(64, 8);
   ui.text_field("typed source", typed, context.state.typed_source, "A film, a device, simulated:putt");
+  const bool is_entered = ui.was_entered("typed source") && !context.state.typed_source.empty();
   if (draw_button(ui, use,
-                  {.id = "use source", .words = "Use", .is_enabled = !context.state.typed_source.empty()}))
+                  {.id = "use source", .words = "Use", .is_enabled = !context.state.typed_source.empty()}) ||
+      is_entered)
     context.want(intent::ChooseSource{context.state.typed_source, {}});
   const CameraEntry* chosen = nullptr;
   for (const CameraEntry& camera : model.cameras)
@@ -133,10 +136,11 @@ void draw_person(const PanelContext& context, const Rect& area) {
   if (picked >= 0) context.want(intent::ChoosePerson{model.people[static_cast<std::size_t>(picked)].id});
   Rect add = inner.take_top(36, 14);
   const Rect button = add.take_right(64, 8);
-  const bool is_entered = ui.text_field("new person", add, state.typed_name, "Somebody new");
-  (void)is_entered;
+  ui.text_field("new person", add, state.typed_name, "Somebody new");
+  const bool is_entered = ui.was_entered("new person") && !state.typed_name.empty();
   if (draw_button(ui, button,
-                  {.id = "add person", .words = "Add", .is_enabled = !state.typed_name.empty()})) {
+                  {.id = "add person", .words = "Add", .is_enabled = !state.typed_name.empty()}) ||
+      is_entered) {
     context.want(intent::AddPerson{state.typed_name});
     state.typed_name.clear();
   }
@@ -174,12 +178,8 @@ void draw_coach_list(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   const WindowModel& model = context.model;
   Rect inner = draw_titled_card(ui, area, "Coach", Icon::Coach);
-  Rect import = inner.take_bottom(36, 10);
-  const Rect use = import.take_right(64, 8);
-  ui.text_field("coach file", import, context.state.typed_import, "A film, BVH, TRC, C3D or pose file");
-  if (draw_button(ui, use,
-                  {.id = "use coach", .words = "Add", .is_enabled = !context.state.typed_import.empty()}))
-    context.want(intent::ChooseCoach{context.state.typed_import});
+  const Button add{.id = "add coach", .words = "Add a coach from a file", .icon = Icon::Plus};
+  if (draw_button(ui, inner.take_bottom(36, 10), add)) open_import_dialog(context, BrowseFor::Coach);
   if (model.coaches.empty())
     return draw_empty(ui, inner, Icon::Coach, "No coach",
                       "Add a motion file, or make a swing of the library the coach.");

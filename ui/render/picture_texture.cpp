@@ -5,11 +5,21 @@
 #include <GL/glext.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string_view>
 
 #include "core/base/assert.h"
 
 namespace posecoach {
+namespace {
+
+void flip(const Image& from, Image& to) {
+  for (int y = 0; y < from.height; ++y)
+    std::copy_n(from.pixel(0, from.height - 1 - y), 3 * static_cast<std::size_t>(from.width), to.pixel(0, y));
+}
+
+}  // namespace
 
 PictureTexture::PictureTexture(const Image& image) {
   POSECOACH_ASSERT(!image.empty());
@@ -45,8 +55,7 @@ Image OffscreenTarget::read_image() const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
   glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-  for (int y = 0; y < height_; ++y)
-    std::copy_n(image.pixel(0, height_ - 1 - y), 3 * static_cast<std::size_t>(width_), upright.pixel(0, y));
+  flip(image, upright);
   return upright;
 }
 
@@ -56,6 +65,21 @@ bool is_drawn_by_software() {
   return renderer.find("llvmpipe") != std::string_view::npos ||
          renderer.find("softpipe") != std::string_view::npos ||
          renderer.find("SWR") != std::string_view::npos;
+}
+
+Image read_window(double x, double y, double width, double height) {
+  std::array<GLint, 4> view = {};
+  glGetIntegerv(GL_VIEWPORT, view.data());
+  const int left = std::clamp(static_cast<int>(std::lround(x)), 0, view[2] - 1),
+            top = std::clamp(static_cast<int>(std::lround(y)), 0, view[3] - 1);
+  const int across = std::clamp(static_cast<int>(std::lround(width)), 1, view[2] - left),
+            down = std::clamp(static_cast<int>(std::lround(height)), 1, view[3] - top);
+  Image image = Image::black(across, down), upright = image;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(left, view[3] - top - down, across, down, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+  flip(image, upright);
+  return upright;
 }
 
 void clear_window(int width, int height) {

@@ -35,5 +35,7 @@ bool is_drawn_by_software();
 
 // The window's own framebuffer, made black and drawn into from now on.
 void clear_window(int width, int height);
+// What is drawn there now, of this rectangle in pixels, +Y down.
+Image read_window(double x, double y, double width, double height);
 
 }  // namespace posecoach

@@ -2,8 +2,11 @@
 // must outlive the drawing.
 #pragma once
 
+#include <span>
+
 #include "core/coaching/analysis.h"
 #include "core/motion/motion.h"
+#include "core/session/marks.h"
 #include "ui/render/figure.h"
 
 namespace posecoach {
@@ -16,6 +19,9 @@ struct Comparison {
   // analysis' coach frames.
   const Motion& coach;
   Palette palette = Palette::RedGreen;
+  // By hand; frames of the film, pixels of a picture of this size.
+  std::span<const Drawing> drawings = {};
+  int drawn_width_px = 0, drawn_height_px = 0;
 };
 
 }  // namespace posecoach

@@ -10,9 +10,29 @@ namespace posecoach {
 namespace {
 
 constexpr double kStillHeight_px = 560;
+constexpr double kDrawingStays_s = 0.5;
 
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
+}
+
+// What was drawn by hand, in pixels of this picture.
+void add_drawing(Scene& scene, const Drawing& drawing, const Vec2& factor, int height_px) {
+  const double unit = std::max(1.0, height_px / 480.0);
+  const Colour ink = colour_from_hex(0xFFD84D), edge = colour_from_hex(0x0C1016).with_alpha(0.75F);
+
+  std::vector<Vec2> at;
+  for (const Vec2& point : drawing.points_px) at.push_back(point * factor);
+  for (const bool is_edge : {true, false})
+    for (std::size_t i = 1; i < at.size(); ++i)
+      scene.add(make_line(at[i - 1], at[i], (is_edge ? 4.0 : 2.0) * unit, is_edge ? edge : ink));
+  if (drawing.kind != DrawingKind::Angle || at.size() != 3) return;
+  Text words;
+  words.utf8 = decimal(angle_deg(drawing), 0) + "°";
+  words.size_px = 15 * unit;
+  words.colour = ink;
+  words.baseline = at[1] + Vec2(10, -10) * unit;
+  scene.add(words);
 }
 
 }  // namespace
@@ -99,8 +119,22 @@ Image OverlayFilm::draw(const Frame& frame) {
   const std::optional<Bodies> bodies =
       bodies_at(static_cast<int>(frame.index) - comparison_.first_frame, std::nullopt);
   const PinholeCamera camera = scaled_to(camera_, frame.image->width, frame.image->height);
-  renderer_.render(make_overlay_scene(story_, moment_at(frame, bodies), camera), camera);
+  Scene scene = make_overlay_scene(story_, moment_at(frame, bodies), camera);
+  const Vec2 factor = Vec2(camera.width_px, camera.height_px) /
+                      Vec2(std::max(1, comparison_.drawn_width_px), std::max(1, comparison_.drawn_height_px));
+  for (const Drawing& drawing : comparison_.drawings)
+    if (is_drawing_shown(drawing, frame)) add_drawing(scene, drawing, factor, camera.height_px);
+  renderer_.render(scene, camera);
   return renderer_.read_image();
+}
+
+// From its picture on for half a second.
+bool OverlayFilm::is_drawing_shown(const Drawing& drawing, const Frame& frame) {
+  const auto begin = static_cast<std::size_t>(std::max(0, drawing.frame));
+  if (frame.index == begin) drawn_at_s_[drawing.frame] = to_seconds(frame.time);
+  const auto found = drawn_at_s_.find(drawing.frame);
+  return frame.index >= begin && found != drawn_at_s_.end() &&
+         to_seconds(frame.time) < found->second + kDrawingStays_s;
 }
 
 ReportPicture OverlayFilm::draw_still(const Frame& frame, const StillMoment& still) {

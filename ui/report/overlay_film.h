@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,7 @@ class OverlayFilm {
   // The coach in the pose of one of its frames, or as it follows the path evenly.
   std::optional<Bodies> bodies_at(int motion_frame, std::optional<int> coach_frame) const;
   OverlayMoment moment_at(const Frame& frame, const std::optional<Bodies>& bodies) const;
+  bool is_drawing_shown(const Drawing& drawing, const Frame& frame);
 
   Comparison comparison_;
   PinholeCamera camera_;
@@ -42,6 +44,7 @@ class OverlayFilm {
   OverlayStory story_;
   CoachPlacement placement_;
   std::vector<std::optional<double>> apart_m_;  // a frame of the film
+  std::map<int, double> drawn_at_s_;            // when the frames came that something is drawn on
 };
 
 using NextFrame = std::function<Result<std::optional<Frame>>()>;

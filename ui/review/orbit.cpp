@@ -19,6 +19,12 @@ Orbit dragged(Orbit orbit, const Vec2& by, double wheel) {
   return orbit;
 }
 
+Orbit turned_by_step(Orbit orbit, int steps) {
+  constexpr double kStep = kPi / 24;
+  orbit.turn = std::remainder(orbit.turn + steps * kStep, 2 * kPi);
+  return orbit;
+}
+
 PinholeCamera orbit_camera(const Orbit& orbit, const Vec3& feet, double height_m, double front, int width_px,
                            int height_px) {
   const double height = std::clamp(height_m, 0.5, 3.0);

@@ -19,6 +19,9 @@ inline constexpr Orbit kTopOrbit{0, 1.5533, 1};
 // After the pointer was dragged so far, in points; the wheel comes nearer.
 Orbit dragged(Orbit orbit, const Vec2& by, double wheel);
 
+// A step about the body, of the keyboard: positive to his left.
+Orbit turned_by_step(Orbit orbit, int steps);
+
 // A picture in which a body of this height, standing at `feet`, has room for its arms. `front` is the angle
 // about +Y of the direction that the golfer faces, from +Z.
 PinholeCamera orbit_camera(const Orbit& orbit, const Vec3& feet, double height_m, double front, int width_px,

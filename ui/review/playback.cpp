@@ -52,7 +52,7 @@ Playback shuttled(Playback playback, int direction) {
 
 int event_after(const Playback& playback, const FilmMarks& film, int direction) {
   int found = direction > 0 ? film.count() - 1 : 0;
-  for (const int event : film.events) {
+  for (const int event : film.stops.empty() ? film.events : film.stops) {
     if (direction > 0 && event > playback.frame) found = std::min(found, event);
     if (direction < 0 && event < playback.frame) found = std::max(found, event);
   }

@@ -12,6 +12,8 @@ namespace posecoach {
 struct FilmMarks {
   std::span<const double> times_s;
   std::span<const int> events;  // pictures, in order
+  // Where going to the moment before or after stops; empty: at the events.
+  std::span<const int> stops = {};
 
   int count() const { return static_cast<int>(times_s.size()); }
   // How long the last picture stays: as long as most others.

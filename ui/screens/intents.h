@@ -8,11 +8,13 @@
 
 #include "core/body/mirror.h"
 #include "core/pipeline/coach_snapshot.h"
+#include "core/session/marks.h"
+#include "ui/screens/key_map.h"
 #include "ui/theme/theme.h"
 
 namespace posecoach {
 
-enum class ExportKind { OverlayFilm, Report, Csv, Bvh, Trc };
+enum class ExportKind { OverlayFilm, DrawnFilm, Report, Csv, Bvh, Trc };
 
 struct PictureMode {
   int width = 0, height = 0;
@@ -89,6 +91,28 @@ struct ExportSwing {
 struct ImportFile {
   std::string path;
 };
+// Keeps what was marked beside the swing; moved positions are analysed anew.
+struct SetMarks {
+  std::string id;
+  Marks marks;
+};
+// What is seen in this part of the window, as a picture.
+struct KeepShown {
+  Rect area;
+};
+// Lists a folder for choosing a file; empty: the one of films.
+struct ListFolder {
+  std::string path;
+};
+struct KeepLeftover {
+  std::string folder;
+};
+struct TrashLeftover {
+  std::string folder;
+};
+struct SetKeys {
+  KeyMap keys;
+};
 struct CancelJob {
   int id = 0;
 };
@@ -110,16 +134,16 @@ struct Quit {};
 
 }  // namespace intent
 
-using Intent =
-    std::variant<intent::ArmHandsFree, intent::DisarmHandsFree, intent::MeasureBody, intent::StopMeasuring,
-                 intent::SetPace, intent::SetGhostSpeed, intent::LeaveReplay, intent::OpenLastSwing,
-                 intent::StartRecording, intent::StopRecording, intent::TakeSnapshot, intent::ChooseSource,
-                 intent::RetrySource, intent::RefreshCameras, intent::ChooseCoach, intent::ChoosePerson,
-                 intent::AddPerson, intent::SetHand, intent::SetHeight, intent::OpenSwing,
-                 intent::CompareWith, intent::StopComparing, intent::SetStar, intent::SetNotes,
-                 intent::TrashSwing, intent::RestoreSwing, intent::MakeReference, intent::ExportSwing,
-                 intent::ImportFile, intent::CancelJob, intent::DismissToast, intent::SetLook,
-                 intent::SetTextSize, intent::SetSound, intent::ToggleFullScreen, intent::Quit>;
+using Intent = std::variant<
+    intent::ArmHandsFree, intent::DisarmHandsFree, intent::MeasureBody, intent::StopMeasuring,
+    intent::SetPace, intent::SetGhostSpeed, intent::LeaveReplay, intent::OpenLastSwing,
+    intent::StartRecording, intent::StopRecording, intent::TakeSnapshot, intent::ChooseSource,
+    intent::RetrySource, intent::RefreshCameras, intent::ChooseCoach, intent::ChoosePerson, intent::AddPerson,
+    intent::SetHand, intent::SetHeight, intent::OpenSwing, intent::CompareWith, intent::StopComparing,
+    intent::SetStar, intent::SetNotes, intent::TrashSwing, intent::RestoreSwing, intent::MakeReference,
+    intent::ExportSwing, intent::ImportFile, intent::SetMarks, intent::KeepShown, intent::ListFolder,
+    intent::KeepLeftover, intent::TrashLeftover, intent::SetKeys, intent::CancelJob, intent::DismissToast,
+    intent::SetLook, intent::SetTextSize, intent::SetSound, intent::ToggleFullScreen, intent::Quit>;
 using Intents = std::vector<Intent>;
 
 }  // namespace posecoach

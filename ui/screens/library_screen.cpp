@@ -19,18 +19,23 @@ void move_choice(const PanelContext& context, int by) {
 void use_keys(const PanelContext& context) {
   Ui& ui = context.ui;
   WindowState& state = context.state;
-  if (ui.take_key({Key::Right}) || ui.take_key({Key::Down})) move_choice(context, 1);
-  if (ui.take_key({Key::Left}) || ui.take_key({Key::Up})) move_choice(context, -1);
-  if (was_pressed(ui, Command::Back)) {
+  // While Tab has ringed a place, the arrows walk from there.
+  if (!ui.has_ring()) {
+    for (const Key key : {Key::Right, Key::Down})
+      while (ui.take_key({key}, Repeats::Count)) move_choice(context, 1);
+    for (const Key key : {Key::Left, Key::Up})
+      while (ui.take_key({key}, Repeats::Count)) move_choice(context, -1);
+  }
+  if (context.pressed(Command::Back)) {
     if (state.is_picking_second) state.screen = ScreenName::Review;
     state.is_picking_second = false;
     state.search.clear();
   }
-  if (was_pressed(ui, Command::Search)) ui.write_in("search");
+  if (context.pressed(Command::Search)) ui.write_in("search");
   const SwingCard* const card = chosen_swing(context.model, state);
   if (card == nullptr) return;
-  if (was_pressed(ui, Command::ToggleStar)) context.want(intent::SetStar{card->id, !card->is_starred});
-  if (was_pressed(ui, Command::MoveToTrash)) {
+  if (context.pressed(Command::ToggleStar)) context.want(intent::SetStar{card->id, !card->is_starred});
+  if (context.pressed(Command::MoveToTrash)) {
     if (card->is_trashed)
       context.want(intent::RestoreSwing{card->id});
     else

@@ -20,30 +20,30 @@ void use_keys(const PanelContext& context) {
   const WindowModel& model = context.model;
   const bool is_on = model.snapshot && model.snapshot->loop != LoopState::Off;
   if (is_replaying(model)) {
-    if (was_pressed(ui, Command::ReviewLast)) context.want(intent::OpenLastSwing{});
-    if (was_pressed(ui, Command::Back) || was_pressed(ui, Command::PlayPause))
+    if (context.pressed(Command::ReviewLast)) context.want(intent::OpenLastSwing{});
+    if (context.pressed(Command::Back) || context.pressed(Command::PlayPause))
       context.want(intent::LeaveReplay{});
   }
   if (model.snapshot && model.snapshot->measuring && ui.take_key({Key::Escape}))
     context.want(intent::StopMeasuring{});
-  if (was_pressed(ui, Command::HandsFree)) {
+  if (context.pressed(Command::HandsFree)) {
     if (is_on)
       context.want(intent::DisarmHandsFree{});
     else
       context.want(intent::ArmHandsFree{});
   }
-  if (was_pressed(ui, Command::Measure)) context.want(intent::MeasureBody{});
-  if (was_pressed(ui, Command::Record)) {
+  if (context.pressed(Command::Measure)) context.want(intent::MeasureBody{});
+  if (context.pressed(Command::Record)) {
     if (model.is_recording)
       context.want(intent::StopRecording{});
     else
       context.want(intent::StartRecording{});
   }
-  if (was_pressed(ui, Command::Snapshot)) context.want(intent::TakeSnapshot{});
-  if (was_pressed(ui, Command::Mirror)) context.state.is_mirrored = !context.state.is_mirrored;
-  if (was_pressed(ui, Command::ChangePace))
+  if (context.pressed(Command::Snapshot)) context.want(intent::TakeSnapshot{});
+  if (context.pressed(Command::Mirror)) context.state.is_mirrored = !context.state.is_mirrored;
+  if (context.pressed(Command::ChangePace))
     context.want(intent::SetPace{model.pace == Pace::Follow ? Pace::Play : Pace::Follow});
-  if (was_pressed(ui, Command::ReviewLast) && model.snapshot && model.snapshot->swing)
+  if (context.pressed(Command::ReviewLast) && model.snapshot && model.snapshot->swing)
     context.want(intent::OpenLastSwing{});
 }
 

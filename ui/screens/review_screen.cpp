@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "ui/panels/review_events.h"
+#include "ui/panels/review_film_view.h"
 #include "ui/panels/review_panels.h"
 #include "ui/screens/key_map.h"
 #include "ui/screens/screens.h"
@@ -14,6 +16,19 @@ void adopt_swing(const PanelContext& context) {
   const auto& review = context.model.opened->review;
   if (state.played == review) return;
   state.played = review;
+  // The same swing, analysed anew or kept by now: the user stays where he is.
+  const std::string& id = context.model.opened->id;
+  const bool is_same = !id.empty() && state.played_id == id;
+  state.played_id = id;
+  if (is_same) {
+    state.chosen_advice =
+        std::min(state.chosen_advice, static_cast<int>(review->analysis().advice.size()) - 1);
+    return;
+  }
+  state.zoom = {};
+  state.tool = {};
+  state.history = {};
+  state.chosen_drawing.reset();
   const double speed = state.playback.speed;
   state.playback = Playback{.speed = speed};
   state.chosen_advice = -1;
@@ -26,26 +41,35 @@ void use_keys(const PanelContext& context) {
   Ui& ui = context.ui;
   WindowState& state = context.state;
   const ReviewSwing& review = *context.model.opened->review;
-  state.playback = played_by_keys(ui, state.playback, marks_of(review));
-  if (was_pressed(ui, Command::FrontView)) state.orbit = kFrontOrbit;
-  if (was_pressed(ui, Command::SideView)) state.orbit = kSideOrbit;
-  if (was_pressed(ui, Command::TopView)) state.orbit = kTopOrbit;
+  use_marking_keys(context);
+  use_event_keys(context);
+  const std::vector<int> stops = stops_of(review, context.model.opened->marks);
+  FilmMarks film = marks_of(review);
+  film.stops = stops;
+  state.playback = played_by_keys(ui, context.model.keys, state.playback, film);
+  if (context.pressed(Command::Mirror)) state.is_mirrored = !state.is_mirrored;
+  if (context.pressed(Command::Snapshot)) context.want(intent::KeepShown{state.film_area});
+  if (context.pressed(Command::TurnLeft)) state.orbit = turned_by_step(state.orbit, -1);
+  if (context.pressed(Command::TurnRight)) state.orbit = turned_by_step(state.orbit, 1);
+  if (context.pressed(Command::FrontView)) state.orbit = kFrontOrbit;
+  if (context.pressed(Command::SideView)) state.orbit = kSideOrbit;
+  if (context.pressed(Command::TopView)) state.orbit = kTopOrbit;
   const int count = static_cast<int>(review.analysis().advice.size());
-  if (was_pressed(ui, Command::NextAdvice) && count > 0)
+  if (context.pressed(Command::NextAdvice) && count > 0)
     show_advice(context, (state.chosen_advice + 1) % count);
-  if (was_pressed(ui, Command::PreviousAdvice) && count > 0)
+  if (context.pressed(Command::PreviousAdvice) && count > 0)
     show_advice(context, (std::max(0, state.chosen_advice) + count - 1) % count);
   for (const auto& [command, look] : {std::pair(Command::SideBySide, CompareLook::SideBySide),
                                       std::pair(Command::Superpose, CompareLook::Superposed)}) {
-    if (!was_pressed(ui, command)) continue;
+    if (!context.pressed(command)) continue;
     state.compare = look;
     if (context.model.compared) continue;
     state.is_picking_second = true;
     state.screen = ScreenName::Library;
   }
-  if (was_pressed(ui, Command::ToggleStar))
+  if (context.pressed(Command::ToggleStar))
     context.want(intent::SetStar{context.model.opened->id, !context.model.opened->is_starred});
-  if (was_pressed(ui, Command::Back)) {
+  if (context.pressed(Command::Back)) {
     if (context.model.compared)
       context.want(intent::StopComparing{});
     else

@@ -17,7 +17,7 @@ void draw_set_up_screen(const PanelContext& context, const Rect& area) {
   draw_person(context, left);
   draw_coach_list(context, right.take_top(0.52 * right.height, 14));
   draw_looks(context, right);
-  if (was_pressed(ui, Command::Back)) context.state.screen = ScreenName::Live;
+  if (context.pressed(Command::Back)) context.state.screen = ScreenName::Live;
 }
 
 }  // namespace posecoach

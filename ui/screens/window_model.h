@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/pipeline/coach_snapshot.h"
+#include "ui/review/film_zoom.h"
+#include "ui/review/mark_edit.h"
 #include "ui/review/orbit.h"
 #include "ui/review/playback.h"
 #include "ui/review/review_swing.h"
@@ -70,6 +72,23 @@ struct OpenedSwing {
   std::shared_ptr<const ReviewSwing> review;  // never null
   PictureLookup picture;
   bool is_starred = false;
+  Marks marks;  // made by hand
+};
+
+// A recording that the program's sudden end left unfinished.
+struct LeftoverEntry {
+  std::string folder, title, detail;
+};
+
+// A folder's content, for choosing a file.
+struct FolderEntry {
+  std::string name, path, detail;
+  bool is_folder = false;
+};
+struct FolderListing {
+  std::string path, parent;  // parent empty at the top
+  std::vector<FolderEntry> places, entries;
+  std::string message;  // why it cannot be listed
 };
 
 struct WindowModel {
@@ -101,6 +120,9 @@ struct WindowModel {
   double text_size = 1;
   bool has_sound = false, is_sound_on = true;
   std::string folder;  // where swings are kept
+  KeyMap keys;
+  FolderListing listing;
+  std::vector<LeftoverEntry> leftovers;
 
   std::vector<Job> jobs;
   std::vector<Toast> toasts;
@@ -110,15 +132,33 @@ enum class ScreenName { Live, Review, Library, SetUp };
 
 enum class CompareLook { SideBySide, Superposed };
 
+// Which key is being chosen in the key sheet.
+struct KeyChoice {
+  Command command;
+  std::size_t place = 0;
+  std::optional<KeyPress> wanted = {};  // that another command has
+};
+
+// What a file is chosen for.
+enum class BrowseFor { Swing, Coach };
+
 struct WindowState {
   ScreenName screen = ScreenName::Live;
-  bool shows_keys = false;
-  bool is_mirrored = false;  // of the live picture only; nothing stored changes
+  bool shows_keys = false, is_changing_keys = false;
+  std::optional<KeyChoice> key_choice;
+  bool is_mirrored = false;  // of the pictures shown only; nothing stored changes
 
   Playback replay{.is_playing = true, .speed = 0.5, .loop = LoopMode::Whole};
   Playback playback;
   std::shared_ptr<const ReviewSwing> played;  // whose playback that is
+  std::string played_id;
   Orbit orbit = kFrontOrbit;
+  FilmZoom zoom;
+  DrawingTool tool;
+  std::optional<std::size_t> chosen_drawing;
+  MarkHistory history;
+  std::optional<std::pair<int, int>> dragged_event;  // place among the events, picture
+  Rect film_area;                                    // where the films were drawn last
   CompareLook compare = CompareLook::SideBySide;
   int chosen_advice = -1;
   bool is_picking_second = false;
@@ -128,6 +168,8 @@ struct WindowState {
   std::string selected;
   std::string notes_of, notes;  // being written
   std::string typed_source, typed_name, typed_height, typed_import;
+  BrowseFor browse_for = BrowseFor::Swing;
+  bool hides_leftovers = false;  // until the next start
 };
 
 }  // namespace posecoach

@@ -11,14 +11,14 @@ constexpr double kRail = 84;
 void use_common_keys(const PanelContext& context) {
   Ui& ui = context.ui;
   WindowState& state = context.state;
-  if (was_pressed(ui, Command::ShowKeys)) state.shows_keys = true;
+  if (context.pressed(Command::ShowKeys)) state.shows_keys = true;
   for (const auto& [command, screen] :
        {std::pair(Command::ShowLive, ScreenName::Live), std::pair(Command::ShowReview, ScreenName::Review),
         std::pair(Command::ShowLibrary, ScreenName::Library),
         std::pair(Command::ShowSetUp, ScreenName::SetUp)})
-    if (was_pressed(ui, command)) state.screen = screen;
-  if (was_pressed(ui, Command::FullScreen)) context.want(intent::ToggleFullScreen{});
-  if (was_pressed(ui, Command::Quit)) context.want(intent::Quit{});
+    if (context.pressed(command)) state.screen = screen;
+  if (context.pressed(Command::FullScreen)) context.want(intent::ToggleFullScreen{});
+  if (context.pressed(Command::Quit)) context.want(intent::Quit{});
   for (const std::string& path : ui.dropped_files()) context.want(intent::ImportFile{path});
 }
 
@@ -42,15 +42,7 @@ void draw_window(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   WindowState& state = context.state;
   ui.fill(area, context.theme().background);
-  // A dialog has the keyboard for itself.
-  const bool closes_keys =
-      state.shows_keys && (was_pressed(ui, Command::Back) || was_pressed(ui, Command::ShowKeys));
-  if (closes_keys) state.shows_keys = false;
-  const bool closes_import = ui.is_open("import") && ui.take_key({Key::Escape});
-  if (closes_import) ui.close_popup();
-  if (!state.shows_keys && !ui.is_open("import")) use_common_keys(context);
-  if (state.shows_keys) ui.take_all_keys();
-
+  use_common_keys(context);
   Rect rest = area;
   draw_rail(context, rest.take_left(kRail));
   draw_screen(context, rest);
@@ -62,16 +54,14 @@ void draw_window(const PanelContext& context, const Rect& area) {
     draw_messages(context, messages);
     ui.end_overlay();
   }
-  if (state.shows_keys) {
-    ui.begin_layer("key sheet", area);
-    draw_key_sheet(context, area);
+  const auto in_layer = [&](const char* name, PanelFunction draw) {
+    ui.begin_layer(name, area);
+    draw(context, area);
     ui.end_layer();
-  }
-  if (ui.is_open("import")) {
-    ui.begin_layer("import dialog", area);
-    draw_import_dialog(context, area);
-    ui.end_layer();
-  }
+  };
+  if (!context.model.leftovers.empty() && !state.hides_leftovers) in_layer("leftovers", draw_leftovers);
+  if (ui.is_open("import")) in_layer("import dialog", draw_import_dialog);
+  if (state.shows_keys) in_layer("key sheet", draw_key_sheet);
 }
 
 }  // namespace posecoach

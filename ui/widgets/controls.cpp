@@ -134,7 +134,10 @@ int draw_dropdown(Ui& ui, std::string_view id, const Rect& rect, std::string_vie
   ui.text_in(TextStyle::Body, inner, shown, theme.text);
   if (on.hovered) ui.use_hand_pointer();
   const std::string popup = "dropdown " + std::string(id);
-  if (on.clicked) ui.open(popup);
+  if (on.clicked) {
+    ui.open(popup);
+    if (on.focused) ui.focus_on("choice " + std::to_string(std::max(0, chosen)));
+  }
   if (!ui.is_open(popup)) return -1;
 
   constexpr double kRow = 46, kPlainRow = 36;
@@ -169,9 +172,9 @@ int draw_dropdown(Ui& ui, std::string_view id, const Rect& rect, std::string_vie
     if (over.clicked) picked = static_cast<int>(i);
   }
   ui.end_scroll();
-  ui.end_layer();
   const bool is_outside = outside.clicked && !list.contains(outside.mouse);
   if (picked >= 0 || is_outside || ui.take_key({Key::Escape})) ui.close_popup();
+  ui.end_layer();
   return picked;
 }
 

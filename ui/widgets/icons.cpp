@@ -196,6 +196,29 @@ void draw_deed(Board& b, Icon icon) {
   }
 }
 
+void draw_tool(Board& b, Icon icon) {
+  switch (icon) {
+    case Icon::Line:
+      b.lines({{6, 18}, {18, 6}});
+      b.disc({5.5, 18.5}, 2.4);
+      return b.disc({18.5, 5.5}, 2.4);
+    case Icon::Angle:
+      b.lines({{19, 19}, {5, 19}, {15, 5}});
+      return b.arc({5, 19}, 8, 35, 90);
+    case Icon::Bookmark:
+      return b.closed({{7, 4}, {17, 4}, {17, 20}, {12, 15.5}, {7, 20}});
+    case Icon::Undo:
+      b.lines({{5, 9}, {14, 9}});
+      b.arc({14, 14}, 5, 0, 180);
+      b.lines({{14, 19}, {9, 19}});
+      return b.lines({{9, 5}, {5, 9}, {9, 13}});
+    case Icon::Folder:
+      return b.closed({{3.5, 6}, {9.5, 6}, {11.5, 8.5}, {20.5, 8.5}, {20.5, 18.5}, {3.5, 18.5}});
+    default:
+      return;
+  }
+}
+
 void draw_sign(Board& b, Icon icon) {
   switch (icon) {
     case Icon::Warning:
@@ -253,6 +276,7 @@ void draw_icon(Ui& ui, Icon icon, const Vec2& centre, double size, const Colour&
   draw_player(board, icon);
   draw_place(board, icon);
   draw_deed(board, icon);
+  draw_tool(board, icon);
   draw_sign(board, icon);
 }
 

@@ -47,7 +47,12 @@ enum class Icon {
   Body,
   Note,
   Retry,
-  FullScreen
+  FullScreen,
+  Line,
+  Angle,
+  Bookmark,
+  Undo,
+  Folder
 };
 
 // Within a square of this side around the centre.

@@ -97,6 +97,7 @@ std::unique_ptr<Ui> Interface::begin(const FrameInput& input, const Theme& theme
 
 void Interface::end(std::unique_ptr<Ui> ui) {
   POSECOACH_ASSERT(ui != nullptr);
+  ui->walk_by_arrows();
   ui.reset();
   ImGui::End();
   state_->places_before.swap(state_->places);

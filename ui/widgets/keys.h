@@ -2,13 +2,16 @@
 // those of GLFW, so that the window passes them on as they are.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace posecoach {
 
 enum class Key : int {
   None = 0,
   Space = 32,
+  Plus = '+',
   Comma = ',',
   Minus = '-',
   Period = '.',
@@ -24,6 +27,7 @@ enum class Key : int {
   Digit8 = '8',
   Digit9 = '9',
   Equal = '=',
+  Question = '?',
   A = 'A',
   B = 'B',
   C = 'C',
@@ -69,7 +73,8 @@ enum class Key : int {
   F1 = 290,
   F8 = 297,
   F9 = 298,
-  F11 = 300
+  F11 = 300,
+  F12 = 301
 };
 
 struct KeyPress {
@@ -80,7 +85,11 @@ struct KeyPress {
   bool operator==(const KeyPress&) const = default;
 };
 
-// "Ctrl+←", "Shift+L", "Space".
+// For people: "Ctrl+←", "Shift+L", "Space".
 std::string to_words(const KeyPress& press);
+// For files: "Ctrl+Left", "Shift+L", "Space"; without spaces in it.
+std::string to_text(const KeyPress& press);
+// As to_text writes it, letter case aside; nothing for what is no key.
+std::optional<KeyPress> key_press_from_text(std::string_view text);
 
 }  // namespace posecoach

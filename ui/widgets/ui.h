@@ -24,15 +24,17 @@ struct FrameInput {
   double scale = 1;      // pixels a point
   double time_s = 0;     // of a clock that never goes back
   double elapsed_s = 1.0 / 60;
-  std::vector<KeyPress> keys;  // pressed or repeated since the last frame
+  std::vector<KeyPress> keys;           // pressed since the last frame
+  std::vector<KeyPress> repeated_keys;  // that stayed down
   std::vector<std::string> dropped_files;
 };
 
 // What the user does with a place on the screen.
 struct Interaction {
   bool hovered = false;
-  bool held = false;     // the button is down since it was pressed here
-  bool clicked = false;  // or Enter while focused
+  bool held = false;                       // the button is down since it was pressed here
+  bool pressed = false, released = false;  // the button, in this frame
+  bool clicked = false;                    // or Enter while focused
   bool double_clicked = false;
   bool focused = false;  // by the keyboard
   Vec2 mouse;            // where it is, points
@@ -41,6 +43,9 @@ struct Interaction {
 };
 
 enum class Focus { ByKeyboard, Never };
+
+// Whether a key that stays down counts again and again.
+enum class Repeats { Ignored, Count };
 
 class Ui {
  public:
@@ -51,6 +56,8 @@ class Ui {
   const Theme& theme() const { return *theme_; }
   SceneViews& views() { return views_; }
   double time_s() const { return input_.time_s; }
+  Vec2 mouse() const;        // points
+  Vec2 mouse_moved() const;  // since the last frame
   double elapsed_s() const { return input_.elapsed_s; }
   double scale() const { return input_.scale; }
   Rect whole() const { return {0, 0, input_.size.x, input_.size.y}; }
@@ -91,16 +98,25 @@ class Ui {
   bool text_field(std::string_view id, const Rect& rect, std::string& words, std::string_view hint,
                   int lines = 1);
   void write_in(std::string_view field);  // gives it the keyboard
-  bool is_writing() const;                // a text field has the keyboard
+  // Whether Enter ended the writing in this line, in this frame.
+  bool was_entered(std::string_view field);
+  bool is_writing() const;  // a text field has the keyboard
   void tooltip(const Rect& of, const Interaction& on, std::string_view words);
   void focus_ring(const Rect& rect, double corner_radius, const Interaction& on);
   // Draws attention to what the pointer would press.
   void use_hand_pointer();
 
-  // Keys that nobody took yet; none while a text field has the keyboard.
-  bool take_key(const KeyPress& press);
-  std::vector<KeyPress> keys() const;
-  void take_all_keys() { input_.keys.clear(); }
+  // Keys that nobody took yet; none while a text field has the keyboard, and none for what lies below an open
+  // layer. Enter alone belongs to the place that the keyboard has ringed, where there is one.
+  bool take_key(const KeyPress& press, Repeats repeats = Repeats::Ignored);
+  // The next one, whatever it is.
+  std::optional<KeyPress> take_any_key();
+  void take_all_keys();
+  bool has_ring() const;  // whether the keyboard has ringed a place
+  // Rings the place of this id as soon as it is drawn.
+  void focus_on(std::string_view id);
+  // Arrow keys that nobody took walk to the next place in their direction; once, at the end of a frame.
+  void walk_by_arrows();
 
   // Nesting; use the guards below.
   void push_id(std::string_view id);
@@ -128,6 +144,7 @@ class Ui {
     std::string_view words;
     double width = 0;
   };
+  bool take(const KeyPress& press, Repeats repeats);
   std::vector<Line> broken(TextStyle style, double width, std::string_view words, int most_lines) const;
 
   InterfaceState& state_;

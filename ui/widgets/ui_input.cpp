@@ -1,6 +1,10 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "ui/widgets/imgui_values.h"
 #include "ui/widgets/interface_state.h"
 #include "ui/widgets/ui.h"
@@ -25,13 +29,39 @@ void move_focus(InterfaceState& state, bool backwards) {
   state.is_focus_shown = true;
   state.was_focus_moved = true;
   if (places.empty()) return;
-  const auto found = std::find(places.begin(), places.end(), state.focused);
+  const auto found = std::find_if(places.begin(), places.end(),
+                                  [&](const auto& place) { return place.id == state.focused; });
   if (found == places.end())
-    state.focused = backwards ? places.back() : places.front();
+    state.focused = backwards ? places.back().id : places.front().id;
   else if (backwards)
-    state.focused = found == places.begin() ? places.back() : *(found - 1);
+    state.focused = found == places.begin() ? places.back().id : (found - 1)->id;
   else
-    state.focused = found + 1 == places.end() ? places.front() : *(found + 1);
+    state.focused = found + 1 == places.end() ? places.front().id : (found + 1)->id;
+}
+
+// The nearest place in this direction; what lies aside counts as further away.
+std::uint32_t place_towards(const std::vector<InterfaceState::Place>& places, const Rect& from,
+                            const Vec2& direction) {
+  constexpr double kAside = 2.5;
+  std::uint32_t best = 0;
+  double nearest = 1e18;
+  for (const InterfaceState::Place& place : places) {
+    const bool is_across = direction.x != 0;
+    const double gap = is_across
+                           ? (direction.x > 0 ? place.rect.x - from.right() : from.x - place.rect.right())
+                           : (direction.y > 0 ? place.rect.y - from.bottom() : from.y - place.rect.bottom());
+    if (gap < -2) continue;
+    const double aside = is_across
+                             ? std::max({0.0, place.rect.y - from.bottom(), from.y - place.rect.bottom()})
+                             : std::max({0.0, place.rect.x - from.right(), from.x - place.rect.right()});
+    const Vec2 apart = place.rect.centre() - from.centre();
+    const double middles = std::abs(is_across ? apart.y : apart.x);
+    const double distance = gap + kAside * aside + 0.1 * middles;
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best = place.id;
+  }
+  return best;
 }
 
 }  // namespace
@@ -41,14 +71,30 @@ Ui::Ui(InterfaceState& state, const Theme& theme, SceneViews& views, FrameInput 
   state_.layer = 0;
   state_.top_layer = 0;
   state_.was_focus_moved = false;
-  for (const KeyPress& press : std::vector(input_.keys))
-    if (press.key == Key::Tab && !press.control) {
+  state_.entered_field.clear();
+  if (state_.next_focused != 0) {
+    state_.focused = std::exchange(state_.next_focused, 0);
+    state_.is_focus_shown = state_.was_focus_moved = true;
+  }
+  // A text field is left by Esc and Tab.
+  if (is_writing() && take({Key::Escape}, Repeats::Ignored)) ImGui::ClearActiveID();
+  for (const bool backwards : {false, true})
+    while (take({Key::Tab, backwards}, Repeats::Count)) {
       if (is_writing()) ImGui::ClearActiveID();
-      move_focus(state_, press.shift);
-      std::erase(input_.keys, press);
+      move_focus(state_, backwards);
     }
   if (ImGui::IsMouseClicked(0)) state_.is_focus_shown = false;
   begin_window("window", whole(), ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+Vec2 Ui::mouse() const {
+  const ImVec2& at = ImGui::GetIO().MousePos;
+  return {static_cast<double>(at.x), static_cast<double>(at.y)};
+}
+
+Vec2 Ui::mouse_moved() const {
+  const ImVec2& by = ImGui::GetIO().MouseDelta;
+  return {static_cast<double>(by.x), static_cast<double>(by.y)};
 }
 
 bool Ui::is_writing() const {
@@ -66,15 +112,22 @@ Interaction Ui::region(std::string_view id, const Rect& rect, Focus focus) {
   ImGui::SetItemAllowOverlap();
   result.hovered = ImGui::IsItemHovered();
   result.held = ImGui::IsItemActive();
+  result.pressed = ImGui::IsItemActivated();
+  result.released = ImGui::IsItemDeactivated();
   result.double_clicked = result.hovered && ImGui::IsMouseDoubleClicked(0);
   if (result.held) result.drag = {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)};
   if (result.hovered) result.wheel = static_cast<double>(io.MouseWheel);
   if (focus == Focus::Never || state_.layer < state_.top_layer_before) return result;
-  state_.places.push_back(item);
+  state_.places.push_back({item, rect});
   if (result.held) state_.focused = item;
+  if (!state_.wanted_place.empty() && state_.wanted_place == id) {
+    state_.wanted_place.clear();
+    state_.focused = item;
+    state_.is_focus_shown = state_.was_focus_moved = true;
+  }
   result.focused = state_.is_focus_shown && state_.focused == item;
   if (result.focused && state_.was_focus_moved) ImGui::SetScrollHereY(0.5F);
-  if (result.focused && take_key({Key::Enter})) result.clicked = true;
+  if (result.focused && !is_writing() && take({Key::Enter}, Repeats::Ignored)) result.clicked = true;
   return result;
 }
 
@@ -84,12 +137,13 @@ bool Ui::text_field(std::string_view id, const Rect& rect, std::string& words, s
   const std::string name = "##" + std::string(id);  // no label
   const ImGuiID item = ImGui::GetID(name.c_str());
   const bool is_reachable = state_.layer >= state_.top_layer_before;
-  if (is_reachable) state_.places.push_back(item);
-  const bool is_focused = state_.is_focus_shown && state_.focused == item;
+  if (is_reachable) state_.places.push_back({item, rect});
+  const bool is_focused = is_reachable && state_.is_focus_shown && state_.focused == item;
   fill(rect, look.raised, radius::kSmall);
   const bool is_asked_for = is_reachable && state_.wanted_field == id;
   if (is_asked_for) state_.wanted_field.clear();
-  if ((is_reachable && is_focused && state_.was_focus_moved) || is_asked_for) ImGui::SetKeyboardFocusHere();
+  const bool is_entered = is_focused && !is_writing() && take({Key::Enter}, Repeats::Ignored);
+  if ((is_focused && state_.was_focus_moved) || is_entered || is_asked_for) ImGui::SetKeyboardFocusHere();
   const double pad_y =
       lines > 1 ? space::kSmall : 0.5 * (rect.height - static_cast<double>(ImGui::GetFontSize()));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, im(Vec2(space::kMedium, pad_y)));
@@ -108,9 +162,12 @@ bool Ui::text_field(std::string_view id, const Rect& rect, std::string& words, s
     is_changed = ImGui::InputTextWithHint(name.c_str(), std::string(hint).c_str(), &words);
   }
   const bool is_active = ImGui::IsItemActive();
+  if (lines == 1 && ImGui::IsItemDeactivated() && take({Key::Enter}, Repeats::Ignored))
+    state_.entered_field = id;
   ImGui::PopStyleColor(4);
   ImGui::PopStyleVar();
-  outline(rect, is_active ? look.accent : look.line, radius::kSmall, is_active ? 1.5 : 1);
+  const bool is_ringed = is_active || is_focused;
+  outline(rect, is_ringed ? look.accent : look.line, radius::kSmall, is_ringed ? 1.5 : 1);
   return is_changed;
 }
 
@@ -146,16 +203,56 @@ void Ui::use_hand_pointer() {
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
-bool Ui::take_key(const KeyPress& press) {
-  if (is_writing() && press.key != Key::Escape) return false;
-  const auto found = std::find(input_.keys.begin(), input_.keys.end(), press);
-  if (found == input_.keys.end()) return false;
-  input_.keys.erase(found);
-  return true;
+bool Ui::take(const KeyPress& press, Repeats repeats) {
+  const auto take_from = [&](std::vector<KeyPress>& keys) {
+    const auto found = std::find(keys.begin(), keys.end(), press);
+    if (found == keys.end()) return false;
+    keys.erase(found);
+    return true;
+  };
+  return take_from(input_.keys) || (repeats == Repeats::Count && take_from(input_.repeated_keys));
 }
 
-std::vector<KeyPress> Ui::keys() const {
-  return is_writing() ? std::vector<KeyPress>() : input_.keys;
+bool Ui::take_key(const KeyPress& press, Repeats repeats) {
+  // What lies below an open list or dialog hears nothing.
+  if (is_writing() || state_.layer < state_.top_layer_before) return false;
+  if (press == KeyPress{Key::Enter} && state_.has_focused_place()) return false;
+  return take(press, repeats);
+}
+
+std::optional<KeyPress> Ui::take_any_key() {
+  if (is_writing() || input_.keys.empty()) return std::nullopt;
+  const KeyPress press = input_.keys.front();
+  input_.keys.erase(input_.keys.begin());
+  return press;
+}
+
+void Ui::take_all_keys() {
+  input_.keys.clear();
+  input_.repeated_keys.clear();
+}
+
+bool Ui::has_ring() const {
+  return state_.has_focused_place();
+}
+
+void Ui::focus_on(std::string_view id) {
+  state_.wanted_place = id;
+}
+
+void Ui::walk_by_arrows() {
+  if (is_writing()) return;
+  const auto& places = state_.places;
+  for (const auto& [key, direction] : {std::pair(Key::Left, Vec2(-1, 0)), std::pair(Key::Right, Vec2(1, 0)),
+                                       std::pair(Key::Up, Vec2(0, -1)), std::pair(Key::Down, Vec2(0, 1))}) {
+    if (!take({key}, Repeats::Count) || places.empty()) continue;
+    const auto here = std::find_if(places.begin(), places.end(),
+                                   [&](const auto& place) { return place.id == state_.focused; });
+    if (here == places.end() || !state_.is_focus_shown)
+      state_.next_focused = here == places.end() ? places.front().id : here->id;
+    else
+      state_.next_focused = place_towards(places, here->rect, direction);
+  }
 }
 
 void Ui::push_id(std::string_view id) {
@@ -195,6 +292,12 @@ void Ui::end_scroll() {
   ImGui::PopStyleColor(4);
 }
 
+bool Ui::was_entered(std::string_view field) {
+  if (state_.entered_field != field) return false;
+  state_.entered_field.clear();
+  return true;
+}
+
 void Ui::write_in(std::string_view field) {
   state_.wanted_field = field;
 }
@@ -225,11 +328,13 @@ bool Ui::is_open(std::string_view popup) const {
 }
 
 void Ui::open(std::string_view popup) {
+  if (state_.open_popup.empty()) state_.focused_below = state_.focused;
   state_.open_popup = popup;
 }
 
 void Ui::close_popup() {
   state_.open_popup.clear();
+  state_.focused = state_.focused_below;
 }
 
 const Theme* Ui::exchange_theme(const Theme* theme) {

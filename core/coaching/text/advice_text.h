@@ -36,6 +36,8 @@ std::string other_pace(double ratio, bool is_film);
 std::string out_of_reach(double metres);
 // Parts of the body, in words with commas between; each list may be empty.
 std::string strictness(const std::string& harder, const std::string& milder, const std::string& never);
+// Events were moved by hand, and are in order or not.
+std::string moved_by_hand(bool count);
 std::string only_the_score(const std::string& reason);
 
 // Several swings: mean, spread, and what was told in most of them.

@@ -35,6 +35,11 @@ std::string out_of_reach(double metres) {
                 {{"size", centimetres(metres)}});
 }
 
+std::string moved_by_hand(bool count) {
+  return count ? "Positions of this swing were moved by hand."
+               : "The positions moved by hand do not follow each other; the found ones count.";
+}
+
 std::string strictness(const std::string& harder, const std::string& milder, const std::string& never) {
   std::string words;
   const auto add = [&words](std::string_view sentence, const std::string& parts) {
