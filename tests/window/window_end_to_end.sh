@@ -32,13 +32,15 @@ if [ -z "${POSECOACH_MODELS:-}" ]; then
   models=${XDG_DATA_HOME:-$HOME/.local/share}/virtual-pose-coach/models
   [ -d "$models" ] && export POSECOACH_MODELS=$models
 fi
-export XDG_DATA_HOME=$home/data POSECOACH_LIBRARY=$home/swings
+export XDG_DATA_HOME=$home/data POSECOACH_LIBRARY=$home/films/swings
 # Nothing may be written here.
 export HOME=$home/nobody
 mkdir "$HOME"
 
 log=$pictures/program.log
 : > "$log"
+mkdir -p "$home/films"
+"$program" simulate --motion swing -o "$home/films/film.mp4" > "$log" 2>&1 || { cat "$log"; exit 1; }
 start() {
   "$program" live --source simulated:swing >> "$log" 2>&1 &
   window_program=$!
@@ -81,7 +83,7 @@ is_shown() { xdotool search --name "Virtual Pose Coach"; }
 # More than half of the live picture's upper part is the simulated student's blue sky.
 has_picture() { [ "$(import -window root -crop 300x60+500+60 -resize 1x1! -depth 8 rgb:- | od -An -v -tx1 | tr -d " " | cut -c5-6)" \> "90" ]; }
 swings() { find "$POSECOACH_LIBRARY" -path "*/Trash" -prune -o -name swing.json -print 2> /dev/null | wc -l; }
-has_swing() { [ "$(swings)" -ge 1 ]; }
+has_swings() { [ "$(swings)" -ge "$1" ]; }
 press() { xdotool key --clearmodifiers "$@"; sleep 0.6; }
 # tabs COUNT: so many places further.
 tabs() { for _ in $(seq "$1"); do xdotool key --clearmodifiers Tab; sleep 0.25; done; sleep 0.4; }
@@ -107,28 +109,27 @@ wait_for 20 "changed key in the settings" has_key
 press Escape; press F2; shot 04_keys_changed; press Escape
 
 press ctrl+4; shot 05_set_up
-press ctrl+1
-press h; sleep 1; shot 06_armed
-wait_for 240 "kept swing" has_swing
-sleep 1; shot 07_answer
-press Return; sleep 2
-shot 08_review
-press Right; press Right; press period; shot 09_stepped
+
+# A film is imported: the button is the ninth place, the film the second entry of the dialog, a second Enter takes it.
+press ctrl+3
+tabs 9; press Return; sleep 1; shot 06_import
+press Down; press Return; press Return
+wait_for 240 "imported swing" has_swings 1
+shot 07_imported
+# Two places on is its card; opened from its files: the play button is there, bright.
+is_review() { [ "$(import -window root -crop 12x4+184+446 -resize 1x1! -depth 8 rgb:- | od -An -v -tx1 | tr -d " " | cut -c5-6)" \> "d0" ]; }
+tabs 2; press Return
+wait_for 120 "opened swing" is_review
+shot 08_opened
+press 1; press Right; press Right; press period; shot 09_stepped
 press d; press e; press ctrl+plus; shot 10_from_the_side
 press ctrl+0; press space; sleep 1; press space
-# No further swings while this one is looked at.
-press ctrl+1; press Escape; press h; press ctrl+3; sleep 1; shot 11_library
-# The kept swing, opened from its files: the play button is there again, bright.
-press Right; press Return
-is_review() { [ "$(import -window root -crop 12x4+184+446 -resize 1x1! -depth 8 rgb:- | od -An -v -tx1 | tr -d " " | cut -c5-6)" \> "d0" ]; }
-wait_for 120 "opened swing" is_review
-shot 12_opened
 
 # A position put in its place by hand is stored beside the film and analysed anew; taken back, it is as found.
 press 4; press ctrl+shift+Right
 wait_for 60 "moved position" has_words marks.json '"top"'
 wait_for 20 "new analysis" has_words analysis.json "moved by hand"
-sleep 1; shot 13_moved
+sleep 1; shot 11_moved
 press ctrl+z
 wait_for 60 "position as it was found" has_no_words marks.json '"top"'
 wait_for 20 "the first analysis" has_no_words analysis.json "moved by hand"
@@ -137,41 +138,49 @@ press n; press Left; press Return
 for _ in 1 2 3 4 5 6; do xdotool key Down; sleep 0.1; done
 press Return; press Insert
 wait_for 60 "stored line" has_words marks.json '"line"'
-sleep 1; shot 14_drawn
+sleep 1; shot 12_drawn
 # The films on disk are as they were recorded.
 "$program" library verify > "$pictures/verify.log" 2>&1 || fail "the library is not as it was stored"
 
 # Export: its list is the sixth place, the report its third entry.
-tabs 6; press Return; shot 15_export
+tabs 6; press Return; shot 13_export
 press Down; press Down; press Return
 has_report() { ls "$POSECOACH_LIBRARY"/Exports/*.html; }
 wait_for 120 "exported report" has_report
-shot 16_exported
+shot 14_exported
+# Hands-free: the swing is found, answered, kept, and reviewed at a key.
+press ctrl+1
+press h; sleep 1; shot 15_armed
+wait_for 240 "kept swing" has_swings 2
+sleep 1; shot 16_answer
+press Return; sleep 3; shot 17_review
+press ctrl+1; press Escape; press h
+
 # Another coach: below the rail, the camera and the person.
 press ctrl+4
-tabs 18; shot 17_coach_ringed
+tabs 18; shot 18_coach_ringed
 press Return
 has_coach() { grep -rq '"bundled:putt"' "$XDG_DATA_HOME"/virtual-pose-coach/people; }
 wait_for 20 "chosen coach" has_coach
-shot 18_coach
+shot 19_coach
 
 # Killed while it records: the next start offers what is left, and Enter keeps it.
 press ctrl+1; press r
 is_filming() { [ "$(stat -c %s "$POSECOACH_LIBRARY"/.unfinished/swing_*/film.mkv 2> /dev/null || echo 0)" -gt 100000 ]; }
 wait_for 60 "recording" is_filming
-shot 19_recording
+shot 20_recording
 before=$(swings)
 kill -KILL "$window_program"
 wait "$window_program" 2> /dev/null
 start
 wait_for 60 "window" is_shown
 xdotool search --name "Virtual Pose Coach" windowfocus 2> /dev/null
-sleep 4; shot 20_left_over
+sleep 4; shot 21_left_over
 [ "$(swings)" -eq "$before" ] || fail "what was left over was kept without being asked for"
 is_recovered() { xdotool key Return; [ "$(swings)" -gt "$before" ]; }
 wait_for 60 "recovered recording" is_recovered
-sleep 1; shot 21_recovered
-press ctrl+3; sleep 1; shot 22_library
+sleep 1; shot 22_recovered
+press ctrl+3; sleep 1; shot 23_library
 
 press ctrl+q
 for _ in $(seq 100); do kill -0 "$window_program" 2> /dev/null || break; sleep 0.1; done

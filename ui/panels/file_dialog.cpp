@@ -65,9 +65,9 @@ bool draw_entries(const PanelContext& context, Rect area) {
                "There is no film or motion file in this folder.");
     return false;
   }
+  const IdScope scope(ui, listing.path);  // each folder is scrolled by itself
   bool is_taken = false;
   const Rect content = ui.begin_scroll("files", area, static_cast<double>(listing.entries.size()) * kRow);
-  const IdScope scope(ui, listing.path);
   for (std::size_t i = 0; i < listing.entries.size(); ++i) {
     const Rect row{content.x, content.y + static_cast<double>(i) * kRow, content.width, kRow};
     if (row.bottom() < area.y - kRow || row.y > area.bottom() + kRow) continue;

@@ -26,7 +26,7 @@ void draw_line(const PanelContext& context, Rect& column, std::string_view words
   Ui& ui = context.ui;
   const Theme& theme = context.theme();
   Rect row = column.take_top(kLine);
-  ui.text_in(TextStyle::Body, row.take_left(0.52 * row.width, 8), words, theme.text);
+  ui.text_in(TextStyle::Body, row.take_left(0.46 * row.width, 8), words, theme.text);
   ui.text_in(TextStyle::Body, row, keys, is_changed ? theme.accent : theme.quiet);
 }
 

@@ -139,7 +139,7 @@ void draw_advice(const PanelContext& context, const Rect& area) {
   Rect inner = draw_card(ui, area, kPad);
   draw_score(context, inner.take_top(74, 10));
   const bool is_alone = analysis.advice.size() == 1 && analysis.advice[0].kind == AdviceKind::None;
-  ui.text_in(TextStyle::Title, inner.take_top(24, 4), is_alone ? "Nothing to change" : "What to change",
+  ui.text_in(TextStyle::Title, inner.take_top(24, 4), is_alone ? "No one thing stands out" : "What to change",
              context.theme().text);
   double wanted = 0;
   for (const Advice& advice : analysis.advice) wanted += row_height(ui, advice, inner.width + 12) + 4;

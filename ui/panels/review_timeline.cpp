@@ -233,6 +233,10 @@ void draw_timeline(const PanelContext& context, const Rect& area) {
     ui.fill({from, layout.student_y - 6, std::max(2.0, to - from), 12}, theme.accent.with_alpha(0.3F), 3);
   }
   draw_links(ui, review, layout);
+  if (review.events.empty() && !review.analysis().notes.empty())
+    ui.paragraph(TextStyle::Body,
+                 {layout.left, layout.figures_above.y, layout.right - layout.left, layout.figure},
+                 review.analysis().notes.front(), theme.warning, 2);
   draw_columns(context, review, layout);
   ui.line({layout.left, layout.student_y}, {layout.right, layout.student_y}, theme.student, 4);
   ui.line({layout.left, layout.coach_y}, {layout.right, layout.coach_y}, theme.coach, 4);
