@@ -73,7 +73,7 @@ class LiveBench {
     options.motion = one.motion;
     options.body = *find_named_body(one.body);
     options.hand = one.hand == "left" ? Handedness::Left : Handedness::Right;
-    const Result<CameraView> view = camera_view_from_string(one.view);
+    const Result<CameraPlace> view = camera_place_from_string(one.view);
     if (!view) return tl::unexpected(view.error());
     options.view = *view;
     options.frames_per_second = arguments_.fps * arguments_.slower;
