@@ -25,7 +25,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> motions = {"swing", "putt"}, bodies = {"average", "tall", "short", "woman"};
   std::vector<std::string> views = {"face-on", "down-the-line"}, hands = {"right", "left"};
-  double fps = 30, slower = 1;
+  double fps = 30, slower = 1, length = 1;
   std::string poses, json;
 };
 
@@ -129,10 +129,22 @@ class LiveBench {
       }
     };
     hold(track.frames.front().person, kStanding_s);
-    for (const PoseObservation& frame : track.frames) add(frame.person);
-    hold(track.frames.back().person, kHolding_s);
+    for (const PoseObservation& frame : track.frames) add(shortened(track.frames.front(), frame));
+    hold(shortened(track.frames.front(), track.frames.back()), kHolding_s);
     hold(std::nullopt, kLeaving_s);
     return all;
+  }
+
+  // The same stroke with less way, back and through.
+  std::optional<SeenPerson> shortened(const PoseObservation& address, const PoseObservation& frame) const {
+    std::optional<SeenPerson> person = frame.person;
+    for (std::size_t i = 0; person && address.person && i < kLandmarkCount; ++i) {
+      Vec2& image = person->image[i].position_px;
+      Vec3& world = person->world[i].position_m;
+      image = glm::mix(address.person->image[i].position_px, image, arguments_.length);
+      world = glm::mix(address.person->world[i].position_m, world, arguments_.length);
+    }
+    return person;
   }
 
   Result<Outcome> judge(const Case& one, const PoseTrack& track, const AuthoredMotion& truth, Motion coach,
@@ -151,6 +163,8 @@ class LiveBench {
     InlineWork work;
     CoachPipeline pipeline(std::make_unique<RememberedPoses>(all), work);
     pipeline.set_coach(std::move(coach), "bundled:" + one.motion);
+    // As chosen in the set-up.
+    pipeline.set_person({.hand = one.hand == "left" ? Handedness::Left : Handedness::Right});
     pipeline.arm();
     Outcome outcome;
     outcome.asked = one;
@@ -293,6 +307,11 @@ void add_evaluate_live_command(CLI::App& evaluate, Action& action) {
   command->add_option("--slower", arguments->slower, "Play the strokes so many times as slowly")
       ->capture_default_str()
       ->check(CLI::Range(0.25, 8.0));
+  command
+      ->add_option("--length", arguments->length,
+                   "Give the strokes so much of their way: 0.5 is half as long")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 1.0));
   command
       ->add_option("--poses", arguments->poses, "Keep what the pose networks saw here, and use what is there")
       ->type_name("DIR");

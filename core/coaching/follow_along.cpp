@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
 
 #include "core/coaching/body_axes.h"
 
@@ -15,6 +17,13 @@ constexpr double kStillAtAddress_s = 0.35;
 constexpr double kNearAddress_m = 0.22;
 constexpr double kLongestGap_s = 0.5;
 constexpr double kLeastConfidence = 0.05;
+// Joints that hardly move tell little of the time, and their own errors would drown those that do.
+constexpr double kLeastWeight = 0.1;
+// How fast what is learned of the student's own address follows him.
+constexpr double kAddressSteadied_s = 1.0;
+// Mean distance a joint from his own address at which he has left it, however slowly; who then stands still
+// for so long has a new one.
+constexpr double kLeftAddress_m = 0.01, kNewAddress_s = 1.2;
 constexpr double kTurnWorthLooking = radians_from_degrees(1);
 
 std::vector<HumanoidJoint> compared_joints(const JointTrack& coach) {
@@ -29,15 +38,29 @@ void set_pose(PoseSequence& poses, int frame, int joint, const Vec3& p, double w
             static_cast<float>(weight));
 }
 
+// As the camera sees it, relative to the pelvis; joints count as far as they move.
 PoseSequence sequence_of(const JointTrack& coach, const std::vector<HumanoidJoint>& joints, double yaw,
                          const Sight& sight) {
+  const auto place = [&](int frame, HumanoidJoint joint) {
+    return sight.seen(
+        turned(coach.position(frame, joint) - coach.position(frame, HumanoidJoint::Pelvis), yaw));
+  };
+  std::vector<double> way(joints.size(), 0.0);
+  const auto is_seen = [&](int frame, HumanoidJoint joint) { return coach.confidence(frame, joint) > 0; };
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    std::optional<Vec3> first;
+    for (int frame = 0; frame < coach.frame_count(); ++frame) {
+      if (!is_seen(frame, joints[k])) continue;
+      if (!first) first = place(frame, joints[k]);
+      way[k] = std::max(way[k], glm::distance(place(frame, joints[k]), *first));
+    }
+  }
+  const double longest = std::max(1e-6, *std::max_element(way.begin(), way.end()));
   PoseSequence poses(coach.frame_count(), static_cast<int>(joints.size()));
   for (int frame = 0; frame < coach.frame_count(); ++frame)
-    for (std::size_t k = 0; k < joints.size(); ++k) {
-      const Vec3 p = coach.position(frame, joints[k]) - coach.position(frame, HumanoidJoint::Pelvis);
-      set_pose(poses, frame, static_cast<int>(k), sight.seen(turned(p, yaw)),
-               coach.confidence(frame, joints[k]) > 0 ? 1 : kLeastConfidence);
-    }
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      set_pose(poses, frame, static_cast<int>(k), place(frame, joints[k]),
+               is_seen(frame, joints[k]) ? std::max(kLeastWeight, way[k] / longest) : kLeastConfidence);
   return poses;
 }
 
@@ -60,15 +83,28 @@ PoseSequence FollowAlong::coach_poses() const {
   return sequence_of(coach_, joints_, yaw_, sight_);
 }
 
-PoseSequence FollowAlong::pose_of(const JointMoment& student) const {
+PoseSequence FollowAlong::pose_of(const JointMoment& student, const std::vector<Vec3>& habit) const {
   PoseSequence pose(1, static_cast<int>(joints_.size()));
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const Vec3 p = student.at(joints_[k]) - student.at(HumanoidJoint::Pelvis);
     const double confidence = student.confidence(joints_[k]);
-    set_pose(pose, 0, static_cast<int>(k), sight_.seen(p),
+    set_pose(pose, 0, static_cast<int>(k), sight_.seen(p) - (habit.empty() ? Vec3(0) : habit[k]),
              confidence < 0 ? 0 : std::max(confidence, kLeastConfidence));
   }
   return pose;
+}
+
+// What differs from the coach at address differs all the way: his stance, and what the pose model gets wrong.
+void FollowAlong::learn_habit(const PoseSequence& at_address, double seconds) {
+  const double part = is_following_ ? 1 - std::exp(-seconds / kAddressSteadied_s) : 1;
+  habit_.resize(joints_.size(), Vec3(0));
+  const PoseSequence& coach = warp_.coach();
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const int joint = static_cast<int>(k);
+    const Vec3 apart(at_address.x(joint)[0] - coach.x(joint)[0], at_address.y(joint)[0] - coach.y(joint)[0],
+                     at_address.z(joint)[0] - coach.z(joint)[0]);
+    habit_[k] += part * (apart - habit_[k]);
+  }
 }
 
 void FollowAlong::look_from(double yaw, const Sight& sight) {
@@ -88,6 +124,29 @@ double FollowAlong::coach_time_s() const {
 void FollowAlong::start_over() {
   warp_.reset();
   is_following_ = false;
+  habit_.clear();
+  away_s_ = 0;
+}
+
+bool FollowAlong::is_at_address(const JointMoment& student, double yaw, const Sight& sight, double seconds) {
+  if (speed_.still_s() < kStillAtAddress_s || (warp_.position() != 0 && !is_following_)) {
+    away_s_ = 0;
+    return false;
+  }
+  if (!is_following_) look_from(yaw, sight);
+  if (warp_.distance_m(pose_of(student, {}), 0) > kNearAddress_m) return false;
+  const PoseSequence pose = pose_of(student, habit_);
+  const double from_address = warp_.distance_m(pose, 0);
+  // Standing still elsewhere in the stroke is waiting, not a new beginning.
+  if (from_address > warp_.distance_m(pose, warp_.position()) + kLeftAddress_m) return false;
+  if (!is_following_ || from_address < kLeftAddress_m) {
+    away_s_ = 0;
+    return true;
+  }
+  away_s_ += seconds;
+  if (away_s_ < kNewAddress_s) return false;
+  start_over();
+  return true;
 }
 
 double FollowAlong::step(MediaTime time, const JointMoment& student, double yaw, const Sight& sight) {
@@ -96,20 +155,15 @@ double FollowAlong::step(MediaTime time, const JointMoment& student, double yaw,
     last_time_.reset();
   }
   speed_.step(time, student, sight);
-  const bool is_still = speed_.still_s() >= kStillAtAddress_s;
-  if (is_still && (warp_.position() == 0 || is_following_)) {
-    if (!is_following_) look_from(yaw, sight);
-    const PoseSequence pose = pose_of(student);
-    const double from_address = warp_.distance_m(pose, 0);
-    // Standing still elsewhere in the stroke is waiting, not a new beginning.
-    if (from_address < kNearAddress_m && from_address <= warp_.distance_m(pose, warp_.position()) + 0.01) {
-      warp_.reset();
-      look_from(yaw, sight);
-      is_following_ = true;
-      last_time_ = time;
-      last_ = student;
-      fed_s_ = 0;
-    }
+  const double seconds = last_time_ ? to_seconds(time - *last_time_) : 0;
+  if (is_at_address(student, yaw, sight, seconds)) {
+    warp_.reset();
+    look_from(yaw, sight);
+    learn_habit(pose_of(student, {}), seconds);
+    is_following_ = true;
+    last_time_ = time;
+    last_ = student;
+    fed_s_ = 0;
   }
   if (is_following_) follow(time, student);
   last_time_ = time;
@@ -121,11 +175,12 @@ void FollowAlong::follow(MediaTime time, const JointMoment& student) {
   constexpr double kStep_s = 1 / kAlignmentRate;
   const double seconds = to_seconds(time - *last_time_);
   if (seconds <= 0) {
-    warp_.step(pose_of(student));
+    warp_.step(pose_of(student, habit_));
     return;
   }
   double next = kStep_s - fed_s_;
-  for (; next <= seconds; next += kStep_s) warp_.step(pose_of(between(last_, student, next / seconds)));
+  for (; next <= seconds; next += kStep_s)
+    warp_.step(pose_of(between(last_, student, next / seconds), habit_));
   fed_s_ = seconds - (next - kStep_s);
 }
 

@@ -25,7 +25,9 @@ class FollowAlong {
 
  private:
   PoseSequence coach_poses() const;
-  PoseSequence pose_of(const JointMoment& student) const;
+  PoseSequence pose_of(const JointMoment& student, const std::vector<Vec3>& habit) const;
+  bool is_at_address(const JointMoment& student, double yaw, const Sight& sight, double seconds);
+  void learn_habit(const PoseSequence& at_address, double seconds);
   void look_from(double yaw, const Sight& sight);
   void follow(MediaTime time, const JointMoment& student);
 
@@ -35,8 +37,10 @@ class FollowAlong {
   double yaw_ = 0;
   Sight sight_;
   OnlineWarp warp_;
+  std::vector<Vec3> habit_;  // of each joint at address, the student's place less the coach's; as seen
   HandSpeed speed_;
   bool is_following_ = false;
+  double away_s_ = 0;  // how long he has stood still away from his address
   std::optional<MediaTime> last_time_;
   JointMoment last_;
   double fed_s_ = 0;  // time since last_time_ that no pose at the common rate stands for yet

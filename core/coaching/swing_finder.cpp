@@ -18,6 +18,8 @@ constexpr double kSteadied_s = 0.04;
 constexpr double kRest_s = 0.35, kRestWithin = 0.04, kFeetWithin = 0.12;
 // A slow turn at the top of a putt is not a new address: that takes longer.
 constexpr double kNewRest_s = 1.0, kRestFollows_s = 1.0;
+// Hands spread so many times as far as they tremble, and a little more, are creeping.
+constexpr double kCreeping = 2, kLeastCreeping = 0.004, kTremblingFollows_s = 4, kCalmsDown_s = 0.3;
 // One trembling frame may be this many times as far off.
 constexpr double kOutlier = 3;
 constexpr double kGrip = 0.6;
@@ -36,8 +38,14 @@ constexpr double kLongestWaggle_s = 0.7;
 constexpr double kStopped_s = 0.8;
 constexpr double kFinish_s = 0.25, kFinishWithin = 0.05, kSmallFinishWithin = 0.03;
 constexpr double kFinishHeld = 0.6;
+// From the address to the ball a full swing takes about so long; what takes longer is slow all the way.
+constexpr double kUsualToBall_s = 1.2, kSlowest = 4;
 // A small stroke goes through by this many times its way back at most; more is a backswing after a waggle.
-constexpr double kMostThroughOfBack = 3;
+// Seen from in front, a pose model lets the hands of a putt go back less than they do.
+constexpr double kMostThroughOfBack = 4, kMostThroughOfPutt = 0.45;
+// The least lengths of strokes are for hands that tremble so much at address; the less they do, the shorter a
+// putt may be.
+constexpr double kMuchTrembling = 0.012, kShortest = 0.55;
 
 // Between two samples the hands went straight.
 double nearest_to(const Vec3& place, const Vec3& from, const Vec3& to) {
@@ -56,14 +64,13 @@ std::optional<SwingFinder::Sample> SwingFinder::sample_of(MediaTime time, const 
   if (torso < 0.1) return std::nullopt;
   // Bent or turned, a torso looks short: its length is the longest of late.
   torso_m_ = std::max(torso, torso_m_ - 0.0005 * torso_m_);
-  const Vec3 hands = student.middle(LeftWrist, RightWrist) - student.middle(LeftHip, RightHip);
-  Vec3 over_pelvis = sight.seen(hands) / torso_m_;
+  Vec3 hands =
+      sight.seen(student.middle(LeftWrist, RightWrist) - student.middle(LeftHip, RightHip)) / torso_m_;
   if (!samples_.empty()) {
     const double seconds = to_seconds(time - samples_.back().time);
-    over_pelvis = glm::mix(samples_.back().hands, over_pelvis, 1 - std::exp(-seconds / kSteadied_s));
+    hands = glm::mix(samples_.back().hands, hands, 1 - std::exp(-seconds / kSteadied_s));
   }
-  return Sample{time, sight.seen(hands) / torso_m_,
-                sight.seen(student.middle(LeftAnkle, RightAnkle)) / torso_m_};
+  return Sample{time, hands, sight.seen(student.middle(LeftAnkle, RightAnkle)) / torso_m_};
 }
 
 std::optional<FoundSwing> SwingFinder::step(MediaTime time, const JointMoment& student, const Sight& sight) {
@@ -82,21 +89,36 @@ std::optional<FoundSwing> SwingFinder::step(MediaTime time, const JointMoment& s
   return std::nullopt;
 }
 
-bool SwingFinder::is_resting(double seconds, double hands_within) const {
+std::optional<double> SwingFinder::trembling(double seconds, double hands_within) const {
   const Sample& last = samples_.back();
-  if (to_seconds(last.time - samples_.front().time) < seconds) return false;
+  if (to_seconds(last.time - samples_.front().time) < seconds) return std::nullopt;
   const Vec3 mean = mean_hands(seconds);
   double sum = 0;
   int count = 0;
   for (const Sample& sample : samples_) {
     if (to_seconds(last.time - sample.time) > seconds) continue;
     const double off = glm::distance(sample.hands, mean);
-    if (off > kOutlier * hands_within || glm::distance(sample.feet, last.feet) > kFeetWithin) return false;
+    if (off > kOutlier * hands_within || glm::distance(sample.feet, last.feet) > kFeetWithin)
+      return std::nullopt;
     sum += off * off;
     ++count;
   }
   // Hands that are just leaving are far from where they were most of the time.
-  return std::sqrt(sum / count) < hands_within && glm::distance(last.hands, mean) < kNearRest;
+  const double spread = std::sqrt(sum / count);
+  if (spread >= hands_within || glm::distance(last.hands, mean) >= kNearRest) return std::nullopt;
+  return spread;
+}
+
+bool SwingFinder::is_resting(double seconds, double hands_within) const {
+  return trembling(seconds, hands_within).has_value();
+}
+
+bool SwingFinder::is_creeping(double spread) const {
+  return spread > kCreeping * trembling_ + kLeastCreeping;
+}
+
+double SwingFinder::shortest() const {
+  return std::clamp(trembling_ / kMuchTrembling, kShortest, 1.0);
 }
 
 Vec3 SwingFinder::mean_hands(double seconds) const {
@@ -126,13 +148,20 @@ bool SwingFinder::has_hands_on_club(const JointMoment& student, const Sight& sig
 void SwingFinder::search(const JointMoment& student, const Sight& sight, double seconds) {
   const Sample& now = samples_.back();
   const bool is_near = phase_ == Phase::AtAddress && glm::distance(now.hands, rest_) < kNearRest;
-  if (is_near && is_resting(kRest_s, kRestWithin)) {
-    rest_ += std::min(1.0, seconds / kRestFollows_s) * (mean_hands(kRest_s) - rest_);
-  } else if (is_resting(phase_ == Phase::AtAddress ? kNewRest_s : kRest_s, kRestWithin)) {
+  const double rest_s = is_near || phase_ != Phase::AtAddress ? kRest_s : kNewRest_s;
+  const std::optional<double> spread = trembling(rest_s, kRestWithin);
+  if (spread && is_near) {
+    // Hands that creep away do not take the rest along: a putt begins slowly.
+    if (!is_creeping(*spread))
+      rest_ += std::min(1.0, seconds / kRestFollows_s) * (mean_hands(kRest_s) - rest_);
+    const double follows_s = *spread < trembling_ ? kCalmsDown_s : kTremblingFollows_s;
+    trembling_ += std::min(1.0, seconds / follows_s) * (*spread - trembling_);
+  } else if (spread && (phase_ != Phase::AtAddress || !is_creeping(*spread))) {
     give_up();
     if (has_hands_on_club(student, sight)) {
       phase_ = Phase::AtAddress;
       rest_ = mean_hands(kRest_s);
+      trembling_ = *spread;
       rest_feet_ = now.feet;
       near_rest_at_ = now.time;
     }
@@ -140,7 +169,7 @@ void SwingFinder::search(const JointMoment& student, const Sight& sight, double 
   if (phase_ != Phase::AtAddress) return;
   address_s_ += seconds;
   if (glm::distance(now.feet, rest_feet_) > kFeetLeft) return give_up();
-  if (glm::distance(now.hands, rest_) < kLeft) return;
+  if (glm::distance(now.hands, rest_) < shortest() * kLeft) return;
   phase_ = Phase::Swinging;
   stroke_ = {near_rest_at_, rest_, rest_feet_, now.hands - rest_, {}, std::nullopt};
 }
@@ -154,7 +183,8 @@ std::optional<FoundSwing> SwingFinder::follow(const JointMoment& student, const 
   const Sample& now = samples_.back();
   if (stroke_.passed_at) return go_through();
   const Vec3 away = now.hands - stroke_.rest;
-  const bool has_new_address = is_resting(kNewRest_s, kRestWithin) && has_hands_on_club(student, sight);
+  const std::optional<double> spread = trembling(kNewRest_s, kRestWithin);
+  const bool has_new_address = spread && !is_creeping(*spread) && has_hands_on_club(student, sight);
   if (has_new_address || glm::distance(now.feet, stroke_.feet) > kFeetLeft ||
       to_seconds(now.time - stroke_.begin) > kLongestBack_s) {
     give_up();
@@ -166,13 +196,17 @@ std::optional<FoundSwing> SwingFinder::follow(const JointMoment& student, const 
                              ? glm::length(away)
                              : nearest_to(stroke_.rest, samples_[samples_.size() - 2].hands, now.hands);
   if (nearest > std::max(kNearRest, kPassesWithin * back)) return std::nullopt;
-  if (back >= kLeastBack) {
+  if (back >= shortest() * kLeastBack) {
     stroke_.passed_at = now.time;
     stroke_.through = glm::length(away) < back ? away : Vec3(0);
   } else if (glm::length(away) < kNearRest) {
     phase_ = Phase::AtAddress;  // a twitch
   }
   return std::nullopt;
+}
+
+double SwingFinder::slowness() const {
+  return std::clamp(to_seconds(*stroke_.passed_at - stroke_.begin) / kUsualToBall_s, 1.0, kSlowest);
 }
 
 std::optional<FoundSwing> SwingFinder::go_through() {
@@ -183,7 +217,7 @@ std::optional<FoundSwing> SwingFinder::go_through() {
   if (glm::length(away) > glm::length(stroke_.through)) stroke_.through = away;
   const double through = glm::length(stroke_.through);
   const bool is_large = back >= kLargeStroke;
-  if (!is_large && through > std::max(kMostThroughOfBack * back, 0.5 * kLargeStroke)) {
+  if (!is_large && through > std::max(kMostThroughOfBack * back, kMostThroughOfPutt)) {
     stroke_.back = stroke_.through;
     stroke_.begin = near_rest_at_;
     stroke_.passed_at.reset();
@@ -191,20 +225,23 @@ std::optional<FoundSwing> SwingFinder::go_through() {
   }
   const bool is_other_side = glm::dot(stroke_.through, stroke_.back) < 0;
   const bool went_through =
-      through >= std::max(kLeastThrough, kThroughOfBack * back) && (is_large || is_other_side);
+      through >= std::max(shortest() * kLeastThrough, kThroughOfBack * back) && (is_large || is_other_side);
   const bool is_held = glm::length(away) > kFinishHeld * through;
+  // Hands in slow motion seem to rest: they must rest for as much longer.
+  const double slower = is_large ? slowness() : 1;
+  const double finish_s = kFinish_s * slower, longest_s = kLongestThrough_s * slower;
   const bool rests =
-      since_s >= kFinish_s && is_resting(kFinish_s, is_large ? kFinishWithin : kSmallFinishWithin);
-  if (went_through && ((rests && is_held) || (is_large && since_s > kLongestThrough_s))) {
+      since_s >= finish_s && is_resting(finish_s, is_large ? kFinishWithin : kSmallFinishWithin);
+  if (went_through && ((rests && is_held) || (is_large && since_s > longest_s))) {
     const bool goes_up = stroke_.back.y > kLargeStroke;
     const FoundSwing found{goes_up ? StrokeKind::FullSwing : StrokeKind::Putt, stroke_.begin, now.time};
     give_up();
     return found;
   }
-  const bool has_stopped = rests && glm::length(away) < kLeft && (!is_large || since_s > kStopped_s);
+  const bool has_stopped = rests && glm::length(away) < kLeft && (!is_large || since_s > kStopped_s * slower);
   if (!went_through && (has_stopped || (!is_large && since_s > kLongestWaggle_s)))
     phase_ = Phase::AtAddress;  // a waggle; the stroke may follow at once
-  else if ((rests && glm::length(away) >= kLeft) || since_s > 2 * kLongestThrough_s)
+  else if ((rests && glm::length(away) >= kLeft) || since_s > 2 * longest_s)
     give_up();
   return std::nullopt;
 }

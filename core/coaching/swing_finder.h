@@ -53,12 +53,17 @@ class SwingFinder {
   };
 
   std::optional<Sample> sample_of(MediaTime time, const JointMoment& student, const Sight& sight);
+  // How much the hands trembled about their mean; nothing where they, or the feet, moved.
+  std::optional<double> trembling(double seconds, double hands_within) const;
   bool is_resting(double seconds, double hands_within) const;
+  bool is_creeping(double spread) const;  // more than the trembling at address
+  double shortest() const;                // strokes, in parts of those that much trembling allows
   Vec3 mean_hands(double seconds) const;
   bool has_hands_on_club(const JointMoment& student, const Sight& sight) const;
   void search(const JointMoment& student, const Sight& sight, double seconds);
   std::optional<FoundSwing> follow(const JointMoment& student, const Sight& sight);
   std::optional<FoundSwing> go_through();
+  double slowness() const;  // 1 for a swing at its usual pace
   void give_up();
 
   Phase phase_ = Phase::Searching;
@@ -66,6 +71,7 @@ class SwingFinder {
   double address_s_ = 0;
   std::deque<Sample> samples_;
   Vec3 rest_;  // of the hands at address
+  double trembling_ = 0;
   Vec3 rest_feet_;
   MediaTime near_rest_at_;  // when they were last there
   Stroke stroke_;

@@ -1,13 +1,22 @@
 #include "core/pipeline/swing_loop.h"
 
+#include <algorithm>
+
 namespace posecoach {
 namespace {
 
 // Before the hands leave the address, and after they rest: both rests belong to the swing.
 constexpr double kPreRoll_s = 2.5, kPostRoll_s = 0.25;
+// That for a stroke of this length; a slow one rests more slowly too.
+constexpr double kUsualStroke_s = 2.2, kLongestPostRoll_s = 0.8;
 constexpr double kGone_s = 0.7;
 // A golfer who has stood at address for so long wants to go on, not to look at the last swing.
 constexpr double kReadyEndsReplay_s = 1.5, kShortestReplay_s = 4;
+
+Duration post_roll(const FoundSwing& swing) {
+  const double slower = std::max(1.0, to_seconds(swing.end - swing.begin) / kUsualStroke_s);
+  return duration_from_seconds(std::min(kPostRoll_s * slower, kLongestPostRoll_s));
+}
 
 }  // namespace
 
@@ -65,7 +74,7 @@ void SwingLoop::step(const Frame& frame, const PoseObservation& seen,
   memory_.add(frame, seen);
   take_answer(frame.time);
   if (found) found_ = found;
-  if (found_ && to_seconds(frame.time - found_->end) >= kPostRoll_s) begin_analysis(comparison, source);
+  if (found_ && frame.time - found_->end >= post_roll(*found_)) begin_analysis(comparison, source);
   state_ = state_at(frame.time);
 }
 
@@ -75,8 +84,8 @@ void SwingLoop::begin_analysis(const SwingComparison& comparison, const std::str
     message_ = "A swing was seen. Choose a coach to have it compared.";
     return;
   }
-  SwingMemory::Cut cut = memory_.cut(found.begin - duration_from_seconds(kPreRoll_s),
-                                     found.end + duration_from_seconds(kPostRoll_s), source);
+  SwingMemory::Cut cut =
+      memory_.cut(found.begin - duration_from_seconds(kPreRoll_s), found.end + post_roll(found), source);
   pending_.emplace_back(work_, [cut = std::move(cut), comparison] { return analyze_swing(cut, comparison); });
 }
 

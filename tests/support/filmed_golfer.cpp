@@ -76,15 +76,24 @@ class Filming {
  private:
   static Motion make_stroke(const GolferScript& script) {
     const Motion stroke =
-        retarget(resample(bundled_motion(script.stroke).value(), script.fps), test_landmark_body(1))->motion;
+        retarget(resample(bundled_motion(script.stroke).value(), script.fps * script.slower),
+                 test_landmark_body(script.size))
+            ->motion;
     return script.is_left_handed ? mirrored(stroke) : stroke;
+  }
+
+  Pose stroke_pose(int frame) const {
+    Pose pose = pose_of(stroke_, frame);
+    const Pose address = pose_of(stroke_, 0);
+    for (std::size_t j = 0; j < pose.size(); ++j) pose[j] = glm::mix(address[j], pose[j], script_.length);
+    return pose;
   }
 
   void add(const GolferPart& part, Pose& last) {
     using enum GolferPart::Kind;
     if (part.kind == Stroke) {
       film_.stroke_begin_s.push_back(now_s());
-      for (int f = 0; f < stroke_.frame_count(); ++f) take(last = pose_of(stroke_, f));
+      for (int f = 0; f < stroke_.frame_count(); ++f) take(last = stroke_pose(f));
       film_.stroke_end_s.push_back(now_s());
       return;
     }

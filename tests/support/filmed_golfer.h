@@ -43,6 +43,9 @@ struct GolferScript {
   bool is_left_handed = false;
   double fps = 30;
   std::vector<GolferPart> parts;
+  double size = 1;    // of the body
+  double slower = 1;  // the stroke takes so many times its time
+  double length = 1;  // the stroke has so much of its way
 };
 
 struct GolferFilm {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/motion/bundled_motion.h"
 #include "core/motion/pose_file.h"
 #include "core/pipeline/ghost_driver.h"
 #include "core/pipeline/live_lift.h"
@@ -90,13 +91,61 @@ INSTANTIATE_TEST_SUITE_P(, SwingFinderScenes,
                                   (scene.param.is_face_on ? "_face_on" : "_down_the_line");
                          });
 
+TEST(SwingFinder, small_and_large_bodies_are_served_alike) {
+  for (const double size : {0.8, 1.15})
+    for (const bool is_left_handed : {false, true})
+      for (const bool is_face_on : {true, false}) {
+        const GolferFilm film =
+            film_golfer({.stroke = "swing",
+                         .is_left_handed = is_left_handed,
+                         .parts = {{Stand, 2}, {Stroke}, {Stand, 2}, {Stroke}, {Walk, 2}},
+                         .size = size},
+                        is_face_on ? face_on_camera() : down_the_line_camera(is_left_handed), kWebcamNoise);
+        EXPECT_EQ(find_swings(film).swings.size(), 2U) << size << is_left_handed << is_face_on;
+      }
+}
+
+TEST(SwingFinder, a_swing_in_slow_motion_is_found_whole) {
+  const AuthoredMotion swing = bundled_authored_motion("swing").value();
+  for (const double slower : {2.0, 3.0})
+    for (const bool is_face_on : {true, false})
+      for (const unsigned seed : {1U, 2U, 3U}) {
+        const GolferFilm film =
+            film_golfer({.parts = {{Stand, 2}, {Stroke}, {Stand, 2}}, .slower = slower},
+                        is_face_on ? face_on_camera() : down_the_line_camera(false), kWebcamNoise, seed);
+        const Found found = find_swings(film);
+        ASSERT_EQ(found.swings.size(), 1U) << slower << is_face_on;
+        EXPECT_GT(to_seconds(found.swings[0].end),
+                  film.stroke_begin_s[0] + slower * (swing.time_of("finish") - 0.4))
+            << slower << is_face_on;
+      }
+}
+
+TEST(SwingFinder, short_putts_are_found) {
+  for (const double length : {0.5, 0.7})
+    for (const bool is_left_handed : {false, true})
+      for (const unsigned seed : {1U, 2U, 3U}) {
+        const GolferFilm film = film_golfer(
+            {.stroke = "putt",
+             .is_left_handed = is_left_handed,
+             .parts =
+                 {{Walk, 2}, {Stand, 2}, {Stroke}, {Stand, 3}, {Stroke}, {Stand, 2}, {Waggle, 2}, {Walk, 2}},
+             .length = length},
+            face_on_camera(), kFilteredNoise, seed);
+        const Found found = find_swings(film);
+        EXPECT_EQ(found.swings.size(), 2U) << length << is_left_handed;
+        for (const FoundSwing& swing : found.swings) EXPECT_EQ(swing.kind, StrokeKind::Putt);
+      }
+}
+
 TEST(SwingFinder, waggles_and_walking_about_are_not_swings) {
-  for (const bool is_face_on : {true, false}) {
-    const GolferFilm film = film_golfer(
-        {.parts = {{Walk, 6}, {Stand, 2}, {Waggle, 8}, {Stand, 1}, {TPose, 3}, {Stand, 2}, {Walk, 6}}},
-        is_face_on ? face_on_camera() : down_the_line_camera(false), kWebcamNoise);
-    EXPECT_TRUE(find_swings(film).swings.empty()) << is_face_on;
-  }
+  for (const PoseNoise& noise : {kWebcamNoise, kFilteredNoise})
+    for (const bool is_face_on : {true, false}) {
+      const GolferFilm film = film_golfer(
+          {.parts = {{Walk, 6}, {Stand, 2}, {Waggle, 8}, {Stand, 1}, {TPose, 3}, {Stand, 2}, {Walk, 6}}},
+          is_face_on ? face_on_camera() : down_the_line_camera(false), noise);
+      EXPECT_TRUE(find_swings(film).swings.empty()) << is_face_on << noise.image_px;
+    }
 }
 
 TEST(SwingFinder, a_waggle_right_before_the_stroke_does_not_hide_it) {
