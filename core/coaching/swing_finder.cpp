@@ -238,7 +238,7 @@ std::optional<FoundSwing> SwingFinder::go_through() {
     give_up();
     return found;
   }
-  const bool has_stopped = rests && glm::length(away) < kLeft && (!is_large || since_s > kStopped_s * slower);
+  const bool has_stopped = rests && glm::length(away) < kLeft && (!is_large || since_s > kStopped_s);
   if (!went_through && (has_stopped || (!is_large && since_s > kLongestWaggle_s)))
     phase_ = Phase::AtAddress;  // a waggle; the stroke may follow at once
   else if ((rests && glm::length(away) >= kLeft) || since_s > 2 * longest_s)

@@ -2,7 +2,8 @@
 // the club, the hands go back, come through where they were, and go out on the other side to their finish.
 // Waggles come back to where they began, people who walk about have no address.
 //
-// A putt seen along the target line hardly moves in the picture; it is not found.
+// The less the hands tremble at address, the shorter a putt may be. A putt seen along the target line hardly
+// moves in the picture; it is not found.
 #pragma once
 
 #include <deque>
