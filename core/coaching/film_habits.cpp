@@ -32,7 +32,7 @@ constexpr bool kNoSize = false;
 
 constexpr std::array kFeatureRows = {
     FeatureRow{kFace, kSwing, "mid_backswing", ChestToTarget, {-0.068, 0.99, 0.045}},
-    FeatureRow{kFace, kSwing, "mid_backswing", ShoulderTilt, {25.4, 0.65, 9}},
+    FeatureRow{kFace, kSwing, "mid_backswing", ShoulderTilt, {25.4, 0.65, 7.5}},
     FeatureRow{kFace, kSwing, "top", HipsToTarget, {-0.007, 0.86, 0.05}},
     FeatureRow{kFace, kSwing, "top", ChestToTarget, {-0.082, 1.01, 0.06}},
     FeatureRow{kFace, kSwing, "mid_downswing", LeadArmBend, {27.2, 0.68, 24}},
@@ -121,9 +121,9 @@ struct PhaseRow {
 
 constexpr std::array kPhaseRows = {
     PhaseRow{kFace, kSwing, "takeaway", "top", {0.041, 1, 0}},
-    PhaseRow{kFace, kSwing, "top", "mid_downswing", {0.093, 0.75, 0.30}},
+    PhaseRow{kFace, kSwing, "top", "mid_downswing", {0.093, 0.75, 0.27}},
     PhaseRow{kFace, kSwing, "top", "impact", {-0.045, 1, 0}},
-    PhaseRow{kLine, kSwing, "takeaway", "top", {0.046, 1, 0}},
+    PhaseRow{kLine, kSwing, "takeaway", "top", {0.046, 0.85, 0}},
     PhaseRow{kLine, kSwing, "top", "mid_downswing", {0.103, 0.80, 0.28}},
     PhaseRow{kLine, kSwing, "top", "impact", {-0.040, 1, 0}},
 };

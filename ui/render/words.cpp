@@ -23,8 +23,7 @@ std::string title_from_name(std::string_view name) {
   if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
     title[0] = static_cast<char>(title[0] - 'a' + 'A');
   for (const auto& [from, to] :
-       {std::pair<std::string_view, std::string_view>{"follow through", "follow-through"},
-        {"oe up", "oe-up"}})
+       {std::pair<std::string_view, std::string_view>{"ollow through", "ollow-through"}, {"oe up", "oe-up"}})
     if (const std::size_t at = title.find(from); at != std::string::npos) title.replace(at, from.size(), to);
   return title;
 }

@@ -11,7 +11,7 @@
 namespace posecoach::report {
 namespace {
 
-constexpr double kWidth = 200, kHeight = 232, kFloor = 218, kAir = 26;
+constexpr double kWidth = 200, kHeight = 232, kFloor = 220, kAir = 16;
 // The moments that are farthest apart carry a word.
 constexpr std::size_t kFarthest = 3;
 constexpr std::size_t kMostPoses = 10;
@@ -88,7 +88,7 @@ class PoseDrawing {
     const auto k = static_cast<std::size_t>(found - replay_.joints.begin());
     const Vec3 &his = step_.student[k], &coachs = step_.coach[k];
     return "<path d=\"M" + at(coachs) + "L" + at(his) + "\"/><circle cx=\"" + n(x(coachs)) + "\" cy=\"" +
-           n(y(coachs)) + "\" r=\"7\"/><circle cx=\"" + n(x(his)) + "\" cy=\"" + n(y(his)) + "\" r=\"7\"/>";
+           n(y(coachs)) + "\" r=\"6\"/><circle cx=\"" + n(x(his)) + "\" cy=\"" + n(y(his)) + "\" r=\"6\"/>";
   }
 
  private:
@@ -105,18 +105,18 @@ class PoseDrawing {
 };
 
 // One scale for all, so that bodies stay as large as they are.
-double scale_of(const Replay& replay) {
+double scale_of(const Replay& replay, bool is_side) {
   double tall = 1, wide = 0.5;
-  for (const ReplayStep& step : replay.steps)
-    for (const std::vector<Vec3>* body : {&step.student, &step.coach}) {
-      for (const Vec3& p : *body) tall = std::max(tall, p.y);
-      for (const auto& coordinate : {&Vec3::x, &Vec3::z}) {
-        const auto [low, high] =
-            std::minmax_element(body->begin(), body->end(),
-                                [&](const Vec3& a, const Vec3& b) { return a.*coordinate < b.*coordinate; });
-        if (low != body->end()) wide = std::max(wide, (*high).*coordinate - (*low).*coordinate);
+  for (const ReplayStep& step : replay.steps) {
+    double low = 1e9, high = -1e9;
+    for (const std::vector<Vec3>* body : {&step.student, &step.coach})
+      for (const Vec3& p : *body) {
+        tall = std::max(tall, p.y);
+        low = std::min(low, is_side ? p.z : p.x);
+        high = std::max(high, is_side ? p.z : p.x);
       }
-    }
+    wide = std::max(wide, high - low);
+  }
   return std::min((kFloor - kAir) / tall, (kWidth - 2 * kAir) / wide);
 }
 
@@ -149,7 +149,7 @@ std::string poses_section(const Analysis& analysis, const Replay& replay) {
   });
   // One view for all of them, so that they can be compared.
   const bool is_side = 2 * from_the_side > static_cast<std::ptrdiff_t>(pairs.size());
-  const double scale = scale_of(replay);
+  const double scale = scale_of(replay, is_side);
   std::string cards;
   for (const PosePair& pair : pairs) {
     const ReplayStep& step =
