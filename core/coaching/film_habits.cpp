@@ -121,10 +121,10 @@ struct PhaseRow {
 
 constexpr std::array kPhaseRows = {
     PhaseRow{kFace, kSwing, "takeaway", "top", {0.041, 1, 0}},
-    PhaseRow{kFace, kSwing, "top", "mid_downswing", {0.093, 0.75, 0.27}},
+    PhaseRow{kFace, kSwing, "top", "mid_downswing", {0.093, 0.68, 0.27}},
     PhaseRow{kFace, kSwing, "top", "impact", {-0.045, 1, 0}},
     PhaseRow{kLine, kSwing, "takeaway", "top", {0.046, 0.85, 0}},
-    PhaseRow{kLine, kSwing, "top", "mid_downswing", {0.103, 0.80, 0.28}},
+    PhaseRow{kLine, kSwing, "top", "mid_downswing", {0.103, 0.72, 0.28}},
     PhaseRow{kLine, kSwing, "top", "impact", {-0.040, 1, 0}},
 };
 

@@ -42,8 +42,8 @@ struct EventHabit {
 };
 EventHabit event_habit(Viewpoint view, StrokeKind kind, std::string_view event);
 
-// How a phase's time, as a part of the coach's, shows: seen - 1 = usual_error + gain * (truth - 1). The top
-// of a film is the middle of a slow turn, and moves towards the slower side of it.
+// How a phase's time, as a part of the coach's, shows: seen = (1 + usual_error) * (1 + gain * (truth - 1)).
+// The top of a film is the middle of a slow turn, and moves towards the slower side of it.
 struct PhaseHabit {
   double usual_error = 0, gain = 1;
   // From which on it is too quick, and a slow one is not told; 0: as for motion capture.

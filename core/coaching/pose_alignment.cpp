@@ -90,6 +90,15 @@ std::vector<PoseMatch> match_poses(const ComparedSwings& swings, const Alignment
                                pace_of(swings.student_events, swings.coach_events));
   };
   const double clear = std::max(pace * kClear_s, kClearSigmas * std::hypot(off_s("takeaway"), off_s("top")));
+  // The golfer's own moment of that name must be late, too; of a film, when the hands begin and come to rest
+  // is not known well enough.
+  const auto is_clear = [&](const SwingEvent& event, double late_s) {
+    const bool is_end = event.name == "address" || event.name == "finish" || event.name == "end";
+    if (is_one_camera(swings.view) && is_end) return false;
+    const double own_s =
+        swings.student_events.time_of(event.name) - student_start - pace * (event.time_s - coach_start);
+    return std::abs(late_s) >= clear && std::abs(own_s) >= clear && own_s * late_s > 0;
+  };
   for (const SwingEvent& event : swings.coach_events.events) {
     PoseMatch match;
     match.event = event.name;
@@ -101,7 +110,7 @@ std::vector<PoseMatch> match_poses(const ComparedSwings& swings, const Alignment
     match.late_s = match.student_s - pace * match.coach_s;
     match.apart_m = apart_at(alignment, event.time_s);
     match.joints = joints_apart(alignment, student_s, event.time_s);
-    match.advice = text::pose_match(event.name, match.late_s, std::abs(match.late_s) >= clear);
+    match.advice = text::pose_match(event.name, match.late_s, is_clear(event, match.late_s));
     matches.push_back(std::move(match));
   }
   return matches;

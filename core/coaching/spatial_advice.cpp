@@ -141,8 +141,10 @@ std::vector<PartDifference> differences_at(const ComparedSwings& swings, std::st
                        moment_of(swings.coach, swings.coach_events.time_of(event)), axes,
                        {anchor, is_putt ? HeadOver::Feet : HeadOver::Shoulders,
                         is_one_camera(swings.view) ? ArmAxes::World : ArmAxes::Chest});
-  // With the club at the ball a body's own reach bends his arms, the coach's in that body as his.
-  if (swings.coach_himself == nullptr || event == "address" || event == "impact") return differences;
+  // With the club at the ball, as all through a putt, a body's own reach bends his arms, and the coach's in
+  // that body likewise.
+  if (swings.coach_himself == nullptr || is_putt || event == "address" || event == "impact")
+    return differences;
   const JointTrack student = moment_of(swings.student, swings.student_events.time_of(event)),
                    coach = moment_of(*swings.coach_himself, swings.coach_events.time_of(event));
   const auto arm_bend = [](const JointTrack& body, bool is_lead) {

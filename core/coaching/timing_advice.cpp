@@ -28,13 +28,13 @@ constexpr std::array<Phase, 4> kFullSwing = {
     {{"takeaway", "top"}, {"top", "mid_downswing"}, {"top", "impact"}, {"impact", "finish"}}};
 constexpr std::array<Phase, 3> kPutt = {{{"takeaway", "top"}, {"top", "impact"}, {"impact", "end"}}};
 
-// What the phase takes, where a film shows it longer or shorter than it is.
+// Both sides as they are: the coach's events are found in his joints, a little beside where films have
+// theirs, and a film shows a part of a difference only.
 void put_right(TimingAdvice& phase, const PhaseHabit& habit, double pace) {
   constexpr double kLeast = 0.2;
+  phase.coach_s *= 1 + habit.usual_error;
   const double should_s = phase.coach_s * pace;
-  const double seen = phase.student_s / should_s,
-               truth = std::max(kLeast, 1 + (seen - 1 - habit.usual_error) / habit.gain);
-  phase.student_s = truth * should_s;
+  phase.student_s = should_s * std::max(kLeast, 1 + (phase.student_s / should_s - 1) / habit.gain);
   phase.ratio = phase.student_s / phase.coach_s;
   phase.plus_minus /= habit.gain;
 }
