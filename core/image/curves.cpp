@@ -13,7 +13,7 @@
 namespace posecoach {
 namespace {
 
-constexpr int kPanelWidth = 460, kPanelHeight = 240, kMargin = 44, kAcross = 2;
+constexpr int kPanelWidth = 460, kPanelHeight = 240, kMargin = 64, kAcross = 2;
 const cv::Scalar kPaper(255, 255, 255), kAxis(200, 200, 200), kText(60, 60, 60), kCurve(160, 90, 20);
 
 std::string short_number(double value) {
@@ -26,7 +26,13 @@ void write_text(cv::Mat& picture, const std::string& text, cv::Point where) {
   cv::putText(picture, text, where, cv::FONT_HERSHEY_SIMPLEX, 0.38, kText, 1, cv::LINE_AA);
 }
 
-void draw_panel(cv::Mat& picture, cv::Rect place, const std::string& name,
+void write_text_up_to(cv::Mat& picture, const std::string& text, cv::Point end) {
+  int below = 0;
+  const cv::Size size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 0.38, 1, &below);
+  write_text(picture, text, {end.x - size.width, end.y});
+}
+
+void draw_panel(cv::Mat& picture, cv::Rect place, const std::string& axis, const std::string& name,
                 const std::vector<cv::Point2d>& points) {
   double low = points.front().y, high = low;
   for (const cv::Point2d& p : points) {
@@ -34,7 +40,7 @@ void draw_panel(cv::Mat& picture, cv::Rect place, const std::string& name,
     high = std::max(high, p.y);
   }
   if (high - low < 1e-12) high = low + 1;
-  const double first = points.front().x, last = std::max(points.back().x, first + 1);
+  const double first = points.front().x, last = std::max(points.back().x, first + 1e-9);
   const cv::Rect inner(place.x + kMargin, place.y + 24, place.width - kMargin - 14, place.height - 52);
   cv::rectangle(picture, inner, kAxis);
   std::vector<cv::Point> line;
@@ -43,9 +49,11 @@ void draw_panel(cv::Mat& picture, cv::Rect place, const std::string& name,
                       inner.y + static_cast<int>((high - p.y) / (high - low) * inner.height));
   cv::polylines(picture, line, false, kCurve, 1, cv::LINE_AA);
   write_text(picture, name + ": " + short_number(points.back().y), {inner.x, inner.y - 8});
-  write_text(picture, short_number(high), {place.x + 2, inner.y + 8});
-  write_text(picture, short_number(low), {place.x + 2, inner.y + inner.height});
-  write_text(picture, short_number(last), {inner.x + inner.width - 40, inner.y + inner.height + 16});
+  write_text_up_to(picture, short_number(high), {inner.x - 6, inner.y + 8});
+  write_text_up_to(picture, short_number(low), {inner.x - 6, inner.y + inner.height});
+  write_text(picture, short_number(first), {inner.x, inner.y + inner.height + 16});
+  write_text_up_to(picture, axis + " " + short_number(last),
+                   {inner.x + inner.width, inner.y + inner.height + 16});
 }
 
 std::vector<std::string_view> cells_of(std::string_view line) {
@@ -100,7 +108,7 @@ Result<void> write_curves(const std::filesystem::path& picture, const CurveTable
     if (points.empty()) continue;
     const cv::Rect place((panel % kAcross) * kPanelWidth, (panel / kAcross) * kPanelHeight, kPanelWidth,
                          kPanelHeight);
-    draw_panel(drawing, place, table.columns[column], points);
+    draw_panel(drawing, place, table.columns[0], table.columns[column], points);
   }
   std::vector<unsigned char> png;
   cv::imencode(".png", drawing, png);
