@@ -68,9 +68,11 @@ inline Motion same_rotations(const Motion& motion, const Skeleton& body) {
 inline Motion transformed(const Motion& motion, const Quat& yaw, const Vec3& shift) {
   std::vector<Vec3> roots, positions;
   std::vector<Quat> rotations;
+  std::vector<double> confidence;
   for (int f = 0; f < motion.frame_count(); ++f) {
     roots.push_back(yaw * motion.position(f, 0) + shift);
     for (int j = 0; j < motion.joint_count(); ++j) {
+      confidence.push_back(motion.confidence(f, j));
       positions.push_back(yaw * motion.position(f, j) + shift);
       if (motion.has_rotations()) {
         const Quat& local = motion.rotations(f)[static_cast<std::size_t>(j)];
@@ -80,7 +82,7 @@ inline Motion transformed(const Motion& motion, const Quat& yaw, const Vec3& shi
   }
   const std::vector<MediaTime> times(motion.times().begin(), motion.times().end());
   return motion.has_rotations() ? *Motion::from_rotations(motion.skeleton(), times, roots, rotations)
-                                : *Motion::from_positions(motion.skeleton(), times, positions);
+                                : *Motion::from_positions(motion.skeleton(), times, positions, confidence);
 }
 
 // The same positions over time, from a rig whose rest pose has the limb below `role` turned by `angle`.
