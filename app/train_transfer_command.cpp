@@ -59,7 +59,9 @@ Result<void> run(Arguments& arguments) {
 void add_train_transfer_command(CLI::App& train, Action& action) {
   CLI::App* command = train.add_subcommand("transfer", "The networks of the 2D pose transfer");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("--data", arguments->data, "Folder of 3D motions")->required()->type_name("DIR");
+  command->add_option("--data", arguments->data, "Folder of 3D motions; folders named paired are left out")
+      ->required()
+      ->type_name("DIR");
   command
       ->add_option("-o,--output", arguments->options.weights,
                    "The weights to write; beside them .csv, .png (the log) and .checkpoint")

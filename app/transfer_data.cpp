@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 
 #include "core/base/log.h"
 #include "core/motion/bundled_motion.h"
@@ -14,13 +15,17 @@ namespace {
 
 // A rest pose alone says nothing about how people move.
 constexpr int kFewestFrames = 30;
+// What methods are measured with never trains them.
+constexpr std::string_view kOnlyForMeasuring = "paired";
 
-Result<std::vector<fs::path>> files_below(const fs::path& folder) {
+Result<std::vector<fs::path>> files_below(const fs::path& folder, std::string_view without = {}) {
   std::error_code reason;
   std::vector<fs::path> files;
   for (fs::recursive_directory_iterator entry(folder, reason), end; !reason && entry != end;
-       entry.increment(reason))
+       entry.increment(reason)) {
+    if (entry->is_directory() && entry->path().filename() == without) entry.disable_recursion_pending();
     if (entry->is_regular_file()) files.push_back(entry->path());
+  }
   if (reason)
     return fail(ErrorCode::NotFound, "cannot read the folder " + folder.string() + ": " + reason.message());
   std::sort(files.begin(), files.end());
@@ -43,7 +48,7 @@ Result<PoseClip> read_clip(const fs::path& path, const std::string& name) {
 }  // namespace
 
 Result<std::vector<PoseClip>> read_training_clips(const fs::path& folder) {
-  const Result<std::vector<fs::path>> files = files_below(folder);
+  const Result<std::vector<fs::path>> files = files_below(folder, kOnlyForMeasuring);
   if (!files) return tl::unexpected(files.error());
   std::vector<PoseClip> clips;
   for (const fs::path& path : *files) {

@@ -7,7 +7,8 @@
 
 namespace posecoach {
 
-// Every motion file below the folder, and the bundled motions. Files that hold no whole body are passed over,
+// Every motion file below the folder but those in folders named `paired`, which are for measuring, and the
+// bundled motions. Files that hold no whole body are passed over,
 // with a warning. Errors: NotFound, Incomplete (none at all).
 Result<std::vector<PoseClip>> read_training_clips(const std::filesystem::path& folder);
 
