@@ -11,6 +11,7 @@ extern "C" {
 #include <string>
 
 #include "capture/ffmpeg.h"
+#include "capture/padded_rows.h"
 #include "core/image/image_codec.h"
 
 namespace posecoach {
@@ -99,8 +100,8 @@ class H264Pictures : public PictureEncoder {
     if (!scaler_) return false;
     const int* to_video = sws_getCoefficients(SWS_CS_ITU709);
     sws_setColorspaceDetails(scaler_.get(), to_video, 1, to_video, 0, 0, 1 << 16, 1 << 16);
-    const std::uint8_t* rows = image.rgb.data();
-    const int stride = 3 * image.width;
+    const std::uint8_t* rows = rows_.copy(image);
+    const int stride = rows_.stride();
     return sws_scale(scaler_.get(), &rows, &stride, 0, image.height, frame_->data, frame_->linesize) ==
            encoder_->height;
   }
@@ -110,6 +111,7 @@ class H264Pictures : public PictureEncoder {
   FfmpegPointer<AVFrame> frame_;
   FfmpegPointer<AVPacket> packet_;
   FfmpegPointer<SwsContext> scaler_;
+  PaddedRows rows_;
   std::int64_t next_ = 0;
 };
 
