@@ -82,7 +82,7 @@ wait_for() {
 is_shown() { xdotool search --name "Virtual Pose Coach"; }
 # More than half of the live picture's upper part is the simulated student's blue sky.
 has_picture() { [ "$(import -window root -crop 300x60+500+60 -resize 1x1! -depth 8 rgb:- | od -An -v -tx1 | tr -d " " | cut -c5-6)" \> "90" ]; }
-swings() { find "$POSECOACH_LIBRARY" -path "*/Trash" -prune -o -name swing.json -print 2> /dev/null | wc -l; }
+swings() { find "$POSECOACH_LIBRARY" -path "*/Trash" -prune -o -path "*/.unfinished" -prune -o -name swing.json -print 2> /dev/null | wc -l; }
 has_swings() { [ "$(swings)" -ge "$1" ]; }
 press() { xdotool key --clearmodifiers "$@"; sleep 0.6; }
 # tabs COUNT: so many places further.

@@ -60,6 +60,7 @@ bool draw_entries(const PanelContext& context, Rect area) {
     draw_empty(ui, area, Icon::Warning, "This folder cannot be opened", listing.message);
     return false;
   }
+  if (listing.path.empty()) return false;  // not listed yet
   if (listing.entries.empty()) {
     draw_empty(ui, area, Icon::Folder, "Nothing to import here",
                "There is no film or motion file in this folder.");

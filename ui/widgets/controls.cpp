@@ -30,7 +30,10 @@ Inks button_inks(const Theme& theme, const Button& button, const Interaction& on
     paper = is_primary ? mix(theme.accent, theme.text, 0.25F) : theme.pressed;
   else if (button.is_enabled && on.hovered)
     paper = is_primary ? mix(theme.accent, theme.text, 0.12F) : theme.hovered;
-  if (!button.is_enabled) ink = theme.faint.with_alpha(0.6F);
+  if (!button.is_enabled) {
+    ink = theme.faint.with_alpha(0.6F);
+    if (is_primary) paper = theme.raised;
+  }
   return {paper, ink};
 }
 
