@@ -122,33 +122,37 @@ void WindowProgram::open_swing(const std::string& id, bool as_second, WindowStat
   state.is_picking_second = false;
   const Result<Swing> swing = library_->find(id);
   if (!swing) return tell(ToastKind::Warning, swing.error().message);
-  jobs_->start("Opening the swing",
-               [this, swing = *swing, as_second](const Progress& progress) -> Result<JobQueue::Finish> {
-                 Result<AnalyzedSwing> loaded = load_analyzed_swing(swing, {}, {pose_, {}, progress});
-                 if (!loaded) return tl::unexpected(loaded.error());
-                 const bool is_new = !swing.file("pose");
-                 if (is_new)
-                   if (const Result<void> kept = keep_answer(*library_, swing, *loaded); !kept)
-                     log::warning(kept.error().message);
-                 loaded->pictures = make_shared_store(std::move(loaded->pictures));
-                 const auto opened = std::make_shared<const AnalyzedSwing>(*std::move(loaded));
-                 const Marks marks = read_marks(swing).value_or(Marks());
-                 return JobQueue::Finish([this, opened, swing, as_second, marks, is_new] {
-                   if (is_new) refresh_swings();
-                   const std::string title =
-                       title_from_name(swing.facts.stroke.empty() ? "swing" : swing.facts.stroke) + ", " +
-                       to_words(swing.facts.recorded_at);
-                   OpenedSwing made = make_opened(swing.id, title, opened, swing.facts.star);
-                   made.marks = marks;
-                   if (as_second && model_.opened) {
-                     model_.compared = std::move(made);
-                   } else {
-                     model_.opened = std::move(made);
-                     model_.compared.reset();
-                   }
-                   wanted_screen_ = ScreenName::Review;
-                 });
-               });
+  // One that was only recorded is compared with the coach of now.
+  const bool has_coach = !swing->facts.coach.empty() || swing->file("coach").has_value();
+  const std::string coach = has_coach ? std::string() : model_.coach;
+  jobs_->start(
+      "Opening the swing",
+      [this, swing = *swing, as_second, coach](const Progress& progress) -> Result<JobQueue::Finish> {
+        Result<AnalyzedSwing> loaded = load_analyzed_swing(swing, coach, {pose_, {}, progress});
+        if (!loaded) return tl::unexpected(loaded.error());
+        const bool is_new = !swing.file("pose");
+        if (is_new)
+          if (const Result<void> kept = keep_answer(*library_, swing, *loaded); !kept)
+            log::warning(kept.error().message);
+        loaded->pictures = make_shared_store(std::move(loaded->pictures));
+        const auto opened = std::make_shared<const AnalyzedSwing>(*std::move(loaded));
+        const Marks marks = read_marks(swing).value_or(Marks());
+        return JobQueue::Finish([this, opened, swing, as_second, marks, is_new] {
+          if (is_new) refresh_swings();
+          const std::string title =
+              title_from_name(swing.facts.stroke.empty() ? "swing" : swing.facts.stroke) + ", " +
+              to_words(swing.facts.recorded_at);
+          OpenedSwing made = make_opened(swing.id, title, opened, swing.facts.star);
+          made.marks = marks;
+          if (as_second && model_.opened) {
+            model_.compared = std::move(made);
+          } else {
+            model_.opened = std::move(made);
+            model_.compared.reset();
+          }
+          wanted_screen_ = ScreenName::Review;
+        });
+      });
 }
 
 void WindowProgram::trash_swing(const std::string& id, WindowState& state) {

@@ -115,7 +115,8 @@ press ctrl+3
 tabs 9; press Return; sleep 1; shot 06_import
 press Down; press Return; press Return
 wait_for 240 "imported swing" has_swings 1
-shot 07_imported
+wait_for 240 "answer to it" has_words analysis.json '"events"'
+sleep 3; shot 07_imported
 # Two places on is its card; opened from its files: the play button is there, bright.
 is_review() { [ "$(import -window root -crop 12x4+184+446 -resize 1x1! -depth 8 rgb:- | od -An -v -tx1 | tr -d " " | cut -c5-6)" \> "d0" ]; }
 tabs 2; press Return
