@@ -88,7 +88,10 @@ CoachSnapshot sample_snapshot(LoopState loop) {
 }
 
 SampleWindow empty_window() {
-  return {};
+  SampleWindow window;
+  window.model.listing.path = "/home/anna/Videos";
+  window.model.listing.parent = "/home/anna";
+  return window;
 }
 
 SampleWindow normal_window() {
