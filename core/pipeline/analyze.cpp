@@ -94,7 +94,7 @@ StudentInput student_from_film(std::string source, const PoseTrack& track, const
   return {std::move(source),
           lifted.motion,
           lifted.body,
-          viewpoint_of(lifted.view),
+          lifted.is_square ? viewpoint_of(lifted.view) : Viewpoint::Between,
           {glm::normalize(Vec3(0, 0, 1) * lifted.camera.rotation_camera_from_world)},
           lifted.first_frame,
           to_seconds(lifted.motion.time(0) - begin),

@@ -19,6 +19,10 @@ constexpr std::size_t kFewestFrames = 3;
 // A golfer shifts his weight within a second or two; the model's sense of size wavers faster than that.
 constexpr double kDepthSmoothing_s = 0.5;
 
+// Simulated golfers before a square camera were seen within 8 degrees of it, before one 20 degrees off at 11
+// or more.
+constexpr double kSquare_deg = 12;
+
 // The frames in which somebody is seen.
 struct Sightings {
   std::vector<std::size_t> frames;  // of the track
@@ -159,7 +163,12 @@ Result<Motion> motion_in_world(const PoseTrack& track, const Sightings& sighting
   return Motion::from_positions(body, std::move(times), std::move(positions), std::move(confidence));
 }
 
-View view_of(const Motion& motion, const PinholeCamera& camera, std::span<const std::size_t> still) {
+struct Side {
+  View view = View::Between;
+  bool is_square = false;
+};
+
+Side side_of(const Motion& motion, const PinholeCamera& camera, std::span<const std::size_t> still) {
   const Skeleton& body = motion.skeleton();
   const auto at = [&](int frame, HumanoidJoint role) { return motion.position(frame, body.find(role)); };
   Vec3 facing(0);
@@ -170,7 +179,8 @@ View view_of(const Motion& motion, const PinholeCamera& camera, std::span<const 
     const Vec3 front = glm::cross(across, Vec3(0, 1, 0));
     if (glm::length(front) > 1e-9) facing += glm::normalize(front);
   }
-  return view_from(facing, camera.position() - at(static_cast<int>(still[0]), HumanoidJoint::Pelvis));
+  const Vec3 to_camera = camera.position() - at(static_cast<int>(still[0]), HumanoidJoint::Pelvis);
+  return {view_from(facing, to_camera), off_square_deg(facing, to_camera) < kSquare_deg};
 }
 
 }  // namespace
@@ -222,9 +232,14 @@ Result<LiftedStudent> lift(const PoseTrack& track, const LiftOptions& options) {
   const std::size_t first = sightings->frames.front();
   std::vector<std::size_t> still;
   for (const std::size_t i : stance.still_frames) still.push_back(sightings->frames[i] - first);
-  const View view = view_of(*motion, camera, still);
-  return LiftedStudent{*std::move(motion),      sized->body,        camera, view,
-                       static_cast<int>(first), placed->residual_px};
+  const Side side = side_of(*motion, camera, still);
+  return LiftedStudent{.motion = *std::move(motion),
+                       .body = sized->body,
+                       .camera = camera,
+                       .view = side.view,
+                       .first_frame = static_cast<int>(first),
+                       .is_square = side.is_square,
+                       .model_residual_px = placed->residual_px};
 }
 
 }  // namespace posecoach

@@ -34,6 +34,9 @@ struct LiftedStudent {
   View view = View::Between;
   int first_frame =
       0;  // frame of the film that is frame 0 of `motion`; frames without him are cut at the ends
+  // The camera stood face-on or down the line to within a few degrees. What films tell of turns and depths
+  // was measured with such cameras only (core/coaching/film_habits.h).
+  bool is_square = true;
   // How well the pose model's own 3D joints, moved to their place, fit its 2D joints: median distance. The
   // joints of `motion` lie on the 2D joints' rays.
   double model_residual_px = 0;

@@ -295,7 +295,7 @@ Result<PictureCoach> coach_on_body(const LiftedStudent& coach, const Skeleton& b
   const Vec3 towards = glm::normalize(Vec3{0, -sight.y, std::hypot(sight.x, sight.z)});
   const PinholeCamera camera = make_camera_looking_at(Vec3{0, 1, 0} + kFarAway_m * towards, {0, 1, 0},
                                                       kPictureHeight_m / kFarAway_m, kSize_px, kSize_px);
-  const LiftedStudent student{*std::move(rest), body, camera, coach.view, 0, 0};
+  const LiftedStudent student{*std::move(rest), body, camera, coach.view, 0};
   return coach_in_picture(coach, student, transferer);
 }
 

@@ -26,12 +26,24 @@ double arms_legs_and_torso(const Skeleton& body) {
   return sum;
 }
 
-View view_from(const Vec3& facing, const Vec3& to_camera) {
+namespace {
+
+double angle_deg(const Vec3& facing, const Vec3& to_camera) {
   const Vec3 level(to_camera.x, 0, to_camera.z);
-  const double angle =
-      degrees_from_radians(std::atan2(glm::length(glm::cross(facing, level)), glm::dot(facing, level)));
+  return degrees_from_radians(std::atan2(glm::length(glm::cross(facing, level)), glm::dot(facing, level)));
+}
+
+}  // namespace
+
+View view_from(const Vec3& facing, const Vec3& to_camera) {
+  const double angle = angle_deg(facing, to_camera);
   if (angle < 40) return View::FaceOn;
   return angle > 55 && angle < 125 ? View::DownTheLine : View::Between;
+}
+
+double off_square_deg(const Vec3& facing, const Vec3& to_camera) {
+  const double angle = angle_deg(facing, to_camera);
+  return std::min(angle, std::abs(angle - 90));
 }
 
 }  // namespace posecoach

@@ -18,5 +18,7 @@ double arms_legs_and_torso(const Skeleton& body);
 // `facing` is where the person's front points, `to_camera` where the camera stands from him; world axes, any
 // length.
 View view_from(const Vec3& facing, const Vec3& to_camera);
+// How many degrees the camera stands beside the nearer of face-on and down-the-line.
+double off_square_deg(const Vec3& facing, const Vec3& to_camera);
 
 }  // namespace posecoach

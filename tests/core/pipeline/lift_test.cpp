@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/body/body_measurement.h"
+#include "core/pipeline/analyze.h"
 #include "tests/core/pipeline/filmed.h"
 #include "tests/core/retarget/motions.h"
 
@@ -52,6 +54,23 @@ TEST(Lift, the_view_is_told_from_the_address) {
   EXPECT_EQ(lift(film(body, kFaceOn, 50, kWebcam).track)->view, View::FaceOn);
   EXPECT_EQ(lift(film(body, kDownTheLine, 50, kWebcam).track)->view, View::DownTheLine);
   EXPECT_EQ(lift(film(body, {-2.6, 1.2, 2.6}, 50, kWebcam).track)->view, View::Between);
+}
+
+TEST(Lift, a_camera_beside_its_place_is_not_square) {
+  const Skeleton body = test_landmark_body(1);
+  const auto at = [&](double degrees) {
+    const double angle = radians_from_degrees(degrees);
+    return *lift(film(body, {-3.6 * std::sin(angle), 1.2, 3.6 * std::cos(angle)}, 50, kWebcam).track);
+  };
+  for (const double square : {0.0, 90.0})
+    for (const double off : {-20.0, 0.0, 20.0}) {
+      const LiftedStudent student = at(square + off);
+      EXPECT_EQ(student.is_square, off == 0) << square << " and " << off;
+      EXPECT_EQ(student.view, square == 0 ? View::FaceOn : View::DownTheLine);
+      const Viewpoint judged =
+          student_from_film("film", film(body, kFaceOn, 50, kWebcam).track, student).view;
+      EXPECT_EQ(judged == Viewpoint::Between, off != 0);
+    }
 }
 
 TEST(Lift, gravity_floor_and_place_are_found_for_level_and_tilted_cameras) {
