@@ -52,9 +52,21 @@ void draw_notes(const PanelContext& context, Rect area) {
   const Theme& theme = context.theme();
   const auto note = [&](std::string_view words, Icon icon, const Colour& ink) {
     const Pill pill{words, ink, colour_from_hex(0x0C1016).with_alpha(0.82F), icon};
-    const double width = std::min(pill_width(ui, pill), area.width);
-    draw_pill(ui, {area.centre().x - 0.5 * width, area.y, width, 28}, pill);
-    area.take_top(28, 6);
+    const double width = pill_width(ui, pill);
+    if (width <= area.width) {
+      const Rect line = area.take_top(28, 6);
+      draw_pill(ui, {line.centre().x - 0.5 * width, line.y, width, line.height}, pill);
+      return;
+    }
+    constexpr double kIcon = 26, kAbove = 7;
+    constexpr int kMostLines = 3;
+    const double text_width = area.width - kIcon - 18;
+    const Rect box =
+        area.take_top(ui.paragraph_height(TextStyle::Caption, text_width, words, kMostLines) + 2 * kAbove, 6);
+    ui.fill(box, pill.paper, radius::kMedium);
+    draw_icon(ui, icon, {box.x + 15, box.y + kAbove + 0.5 * ui.line_height(TextStyle::Caption)}, 14, ink);
+    ui.paragraph(TextStyle::Caption, {box.x + 6 + kIcon, box.y + kAbove, text_width, box.height}, words, ink,
+                 kMostLines);
   };
   if (context.model.is_simulated)
     note("Nobody real: the simulated student plays. Choose a camera in Set-up.", Icon::Information,
