@@ -15,6 +15,10 @@ bool is_replaying(const WindowModel& model) {
   return model.replay && model.replay->review && model.snapshot && model.snapshot->loop == LoopState::Replay;
 }
 
+double answer_width(const Rect& inner) {
+  return std::min(430.0, 0.42 * inner.width);
+}
+
 void use_keys(const PanelContext& context) {
   Ui& ui = context.ui;
   const WindowModel& model = context.model;
@@ -105,8 +109,7 @@ void draw_live_screen(const PanelContext& context, const Rect& area) {
   const ThemeScope scope(context.ui, film);
   Rect inner = rest.inset(kMargin);
   if (replays) {
-    const double width = std::min(430.0, 0.42 * inner.width);
-    draw_replay(context, inner.take_right(width, kMargin));
+    draw_replay(context, inner.take_right(answer_width(inner), kMargin));
     draw_notes(context, inner);
     return;
   }
@@ -123,6 +126,13 @@ void draw_live_screen(const PanelContext& context, const Rect& area) {
   draw_measuring(context, rest);
   const double bar_width = std::min(bar.width, 1010.0);
   draw_live_controls(context, {bar.centre().x - 0.5 * bar_width, bar.y, bar_width, bar.height});
+}
+
+Rect live_messages_area(const WindowModel& model, const Rect& area) {
+  Rect rest = area;
+  rest.take_bottom(kStatus + kMargin + kBar);
+  if (is_replaying(model)) rest.take_right(kMargin + answer_width(area.inset(kMargin)));
+  return rest;
 }
 
 }  // namespace posecoach

@@ -7,6 +7,8 @@
 namespace posecoach {
 
 void draw_live_screen(const PanelContext& context, const Rect& area);
+// Where messages lie on it: above the bar, beside the answer to a swing.
+Rect live_messages_area(const WindowModel& model, const Rect& area);
 void draw_review_screen(const PanelContext& context, const Rect& area);
 void draw_library_screen(const PanelContext& context, const Rect& area);
 void draw_set_up_screen(const PanelContext& context, const Rect& area);

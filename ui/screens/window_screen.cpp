@@ -46,9 +46,8 @@ void draw_window(const PanelContext& context, const Rect& area) {
   Rect rest = area;
   draw_rail(context, rest.take_left(kRail));
   draw_screen(context, rest);
-  // Over the screen, below the dialogs; above the live picture's own bar.
-  Rect messages = rest;
-  if (state.screen == ScreenName::Live) messages.take_bottom(100);
+  // Over the screen, below the dialogs.
+  const Rect messages = state.screen == ScreenName::Live ? live_messages_area(context.model, rest) : rest;
   if (!context.model.toasts.empty() || !context.model.jobs.empty()) {
     ui.begin_overlay("messages", messages_area(context.model, messages));
     draw_messages(context, messages);
