@@ -2,20 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/filmed_students.h"
 #include "app/pose_options.h"
 #include "app/progress_bar.h"
-#include "capture/simulated_student.h"
 #include "core/base/file.h"
-#include "core/motion/pose_file.h"
 #include "core/pipeline/fault_bench.h"
-#include "core/pipeline/track_poses.h"
 
 namespace posecoach {
-namespace fs = std::filesystem;
-
 namespace {
 
 struct Arguments {
@@ -44,49 +39,16 @@ Result<SimulatedStudentOptions> film_of(const BenchCase& one) {
   return options;
 }
 
-// The eye of the camera: draws the film, looks at it with the pose networks, and keeps what they saw.
-class FilmEye {
- public:
-  FilmEye(fs::path kept, PoseTrackerOptions options) : kept_(std::move(kept)), options_(std::move(options)) {
-    options_.smoothing = Smoothing::Off;
-  }
-
-  Result<StudentInput> operator()(const BenchCase& one) {
-    Result<PoseTrack> track = track_of(one);
-    if (!track) return tl::unexpected(track.error());
-    const Result<LiftedStudent> lifted = lift(*track);
-    if (!lifted) return tl::unexpected(lifted.error());
-    return student_from_film(name_of(one), *track, *lifted);
-  }
-
- private:
-  Result<PoseTrack> track_of(const BenchCase& one) {
-    const fs::path file =
-        kept_.empty() ? fs::path() : kept_ / (name_of(one) + "-" + to_string(options_.model) + ".pose.json");
-    std::error_code ignored;
-    if (!file.empty() && fs::exists(file, ignored)) return read_pose_track(file);
-    const auto film = film_of(one);
-    if (!film) return tl::unexpected(film.error());
-    auto source = SimulatedStudent::make(*film);
-    if (!source) return tl::unexpected(source.error());
-    if (!tracker_) {
-      auto made = PoseTracker::make(options_);
-      if (!made) return tl::unexpected(made.error());
-      tracker_ = *std::move(made);
-    }
-    tracker_->reset();
-    Result<PoseTrack> track = track_poses(**source, *tracker_);
-    if (!track) return track;
-    if (!file.empty())
-      if (const Result<void> written = write_pose_track(file, *track); !written)
-        return tl::unexpected(written.error());
-    return track;
-  }
-
-  fs::path kept_;
-  PoseTrackerOptions options_;
-  std::unique_ptr<PoseTracker> tracker_;
-};
+// The eye of the camera.
+Result<StudentInput> see_film(const BenchCase& one, FilmedStudents& films) {
+  const Result<SimulatedStudentOptions> film = film_of(one);
+  if (!film) return tl::unexpected(film.error());
+  const Result<PoseTrack> track = films.track(name_of(one), *film);
+  if (!track) return tl::unexpected(track.error());
+  const Result<LiftedStudent> lifted = lift(*track);
+  if (!lifted) return tl::unexpected(lifted.error());
+  return student_from_film(name_of(one), *track, *lifted);
+}
 
 std::string percent(int part, int whole) {
   if (whole == 0) return "-";
@@ -154,17 +116,13 @@ BenchPlan plan_of(const Arguments& arguments) {
 Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   const auto cases = make_bench_cases(plan_of(arguments));
   if (!cases) return tl::unexpected(cases.error());
-  if (!arguments.poses.empty()) {
-    std::error_code reason;
-    fs::create_directories(arguments.poses, reason);
-    if (reason)
-      return fail(ErrorCode::Unreadable,
-                  "cannot make the folder " + arguments.poses + ": " + reason.message());
-  }
+  PoseTrackerOptions unsmoothed = pose;
+  unsmoothed.smoothing = Smoothing::Off;
+  Result<FilmedStudents> films = FilmedStudents::make(arguments.poses, std::move(unsmoothed));
+  if (!films) return tl::unexpected(films.error());
   listen_to_interrupts();
-  FilmEye film(arguments.poses, pose);
-  const auto see = [&film](const BenchCase& one) {
-    return one.eye == BenchEye::TrueJoints ? see_true_joints(one) : film(one);
+  const auto see = [&films](const BenchCase& one) {
+    return one.eye == BenchEye::TrueJoints ? see_true_joints(one) : see_film(one, *films);
   };
   ProgressBar bar;
   const auto answers = run_fault_bench(*cases, see, bar.progress());

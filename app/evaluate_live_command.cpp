@@ -3,23 +3,18 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "app/filmed_students.h"
 #include "app/pose_options.h"
 #include "app/progress_bar.h"
-#include "capture/simulated_student.h"
 #include "core/base/file.h"
 #include "core/body/named_body.h"
 #include "core/motion/bundled_motion.h"
-#include "core/motion/pose_file.h"
 #include "core/pipeline/coach_pipeline.h"
-#include "core/pipeline/track_poses.h"
 
 namespace posecoach {
-namespace fs = std::filesystem;
-
 namespace {
 
 struct Arguments {
@@ -65,8 +60,7 @@ class RememberedPoses : public PoseEstimator {
 
 class LiveBench {
  public:
-  LiveBench(const Arguments& arguments, const PoseTrackerOptions& pose)
-      : arguments_(arguments), pose_(pose) {}
+  LiveBench(const Arguments& arguments, FilmedStudents& films) : arguments_(arguments), films_(films) {}
 
   Result<Outcome> run(const Case& one) {
     SimulatedStudentOptions options;
@@ -81,7 +75,7 @@ class LiveBench {
     options.height = kHeight;
     const auto student = SimulatedStudent::make(options);
     if (!student) return tl::unexpected(student.error());
-    const Result<PoseTrack> track = track_of(one, **student);
+    const Result<PoseTrack> track = films_.track(film_name(one), options);
     if (!track) return tl::unexpected(track.error());
     Result<Motion> coach = bundled_motion(one.motion);
     if (!coach) return tl::unexpected(coach.error());
@@ -91,22 +85,10 @@ class LiveBench {
   }
 
  private:
-  Result<PoseTrack> track_of(const Case& one, SimulatedStudent& student) {
+  std::string film_name(const Case& one) const {
     char rate[16];
     std::snprintf(rate, sizeof rate, "%g", arguments_.fps * arguments_.slower);
-    const fs::path file = arguments_.poses.empty()
-                              ? fs::path()
-                              : fs::path(arguments_.poses) / (one.name() + "-" + rate + "fps-" +
-                                                              to_string(pose_.model) + ".pose.json");
-    std::error_code ignored;
-    if (!file.empty() && fs::exists(file, ignored)) return read_pose_track(file);
-    auto tracker = PoseTracker::make(pose_);
-    if (!tracker) return tl::unexpected(tracker.error());
-    Result<PoseTrack> track = track_poses(student, **tracker);
-    if (track && !file.empty())
-      if (const Result<void> written = write_pose_track(file, *track); !written)
-        return tl::unexpected(written.error());
-    return track;
+    return one.name() + "-" + rate + "fps";
   }
 
   // Stands at address, plays the stroke, holds its end, and is gone.
@@ -222,7 +204,7 @@ class LiveBench {
   }
 
   const Arguments& arguments_;
-  PoseTrackerOptions pose_;
+  FilmedStudents& films_;
 };
 
 void print(const std::vector<Outcome>& outcomes) {
@@ -258,20 +240,15 @@ std::string json_of(const std::vector<Outcome>& outcomes) {
 Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   for (const std::string& body : arguments.bodies)
     if (!find_named_body(body)) return fail(ErrorCode::InvalidArgument, "there is no body \"" + body + "\"");
-  if (!arguments.poses.empty()) {
-    std::error_code reason;
-    fs::create_directories(arguments.poses, reason);
-    if (reason)
-      return fail(ErrorCode::Unreadable,
-                  "cannot make the folder " + arguments.poses + ": " + reason.message());
-  }
+  Result<FilmedStudents> films = FilmedStudents::make(arguments.poses, pose);
+  if (!films) return tl::unexpected(films.error());
   listen_to_interrupts();
   std::vector<Case> cases;
   for (const std::string& motion : arguments.motions)
     for (const std::string& view : arguments.views)
       for (const std::string& hand : arguments.hands)
         for (const std::string& body : arguments.bodies) cases.push_back({motion, body, view, hand});
-  LiveBench bench(arguments, pose);
+  LiveBench bench(arguments, *films);
   ProgressBar bar;
   const Progress progress = bar.progress();
   std::vector<Outcome> outcomes;

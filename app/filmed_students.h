@@ -1,0 +1,31 @@
+// Films of simulated students as the pose networks see them, for the benches. Looking takes long, so what was
+// seen may be kept in a folder and read from there the next time.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "capture/simulated_student.h"
+#include "core/motion/pose_track.h"
+#include "core/vision/pose_tracker.h"
+
+namespace posecoach {
+
+class FilmedStudents {
+ public:
+  // Makes the folder; an empty name keeps nothing. Errors: Unreadable.
+  static Result<FilmedStudents> make(const std::string& folder, PoseTrackerOptions options);
+
+  // `name` tells this film from all others. Errors: those of student, pose stage and files.
+  Result<PoseTrack> track(const std::string& name, const SimulatedStudentOptions& film);
+
+ private:
+  FilmedStudents(std::filesystem::path folder, PoseTrackerOptions options);
+
+  std::filesystem::path folder_;
+  PoseTrackerOptions options_;
+  std::unique_ptr<PoseTracker> tracker_;  // made when the first film is looked at
+};
+
+}  // namespace posecoach
