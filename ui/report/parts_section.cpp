@@ -28,9 +28,11 @@ std::string bars(std::string_view title, const std::vector<PartScore>& parts) {
 std::string parts_section(const Analysis& analysis) {
   const std::string body =
       bars("Your body", analysis.score.groups) + bars("Your swing", analysis.score.phases);
-  return section(
-      "parts", "Where the score comes from", body.empty() ? body : "<div class=\"parts\">" + body + "</div>",
-      "Each part scored by itself, of 100, and how far a joint of it is from the coach’s on average.");
+  return section("parts", "Where the score comes from",
+                 body.empty() ? body : "<div class=\"parts\">" + body + "</div>",
+                 "Each part scored by itself, of 100, and how far a joint of it is from the coach’s on "
+                 "average. The two are "
+                 "laid hips over hips: how far your hips move shows in the other parts.");
 }
 
 }  // namespace posecoach::report
