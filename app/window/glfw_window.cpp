@@ -3,12 +3,16 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
+#include <stb_image.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/base/embedded.h"
 #include "ui/render/picture_texture.h"
+
+POSECOACH_EMBEDDED(window_icon)
 
 namespace posecoach {
 namespace {
@@ -46,6 +50,18 @@ KeyPress press_of(int key, int scancode, int modifiers) {
   return press;
 }
 
+// Where the desktop takes icons from windows (X11); others take the installed one, by the window's class.
+void set_icon(GLFWwindow* window) {
+  const std::string_view png = window_icon();
+  GLFWimage icon{};
+  int channels = 0;
+  icon.pixels =
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()), static_cast<int>(png.size()),
+                            &icon.width, &icon.height, &channels, STBI_rgb_alpha);
+  if (icon.pixels != nullptr) glfwSetWindowIcon(window, 1, &icon);
+  stbi_image_free(icon.pixels);
+}
+
 }  // namespace
 
 GlfwWindow::GlfwWindow(GLFWwindow* window) : window_(window) {
@@ -77,6 +93,7 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::open(const std::string& title, i
     glfwTerminate();
     return fail(ErrorCode::Unsupported, "the window needs OpenGL 3.3: " + reason);
   }
+  set_icon(window);
   glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
   return std::unique_ptr<GlfwWindow>(new GlfwWindow(window));
 }

@@ -56,9 +56,10 @@ Result<fs::path> find_model_file(const std::string& file_name, const std::option
     if (fs::is_regular_file(folder / file_name, ignored)) return folder / file_name;
   }
   // The first is the user's own: a chosen folder, or where the set-up puts them, if there is a home.
-  return fail(ErrorCode::NotFound, "the pose model " + file_name + " is not in " + folders.front().string() +
-                                       "; run scripts/setup to install the models, or name their folder with "
-                                       "--models");
+  return fail(ErrorCode::NotFound,
+              "the pose model " + file_name + " is not in " + folders.front().string() +
+                  "; run scripts/setup, or posecoach-fetch-models of an installed program, or "
+                  "name their folder with --models");
 }
 
 Result<Network> load_network(const fs::path& file, const std::vector<int>& input_shape,
