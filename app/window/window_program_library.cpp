@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <map>
 
-#include "app/export_swing.h"
-#include "app/import_swing.h"
-#include "app/stored_swing.h"
+#include "app/library/export_swing.h"
+#include "app/library/import_swing.h"
+#include "app/library/stored_swing.h"
 #include "app/window/live_session.h"
 #include "app/window/window_program.h"
 #include "core/base/log.h"

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "app/stored_swing.h"
+#include "app/library/stored_swing.h"
 #include "app/window/live_session.h"
 #include "app/window/memory.h"
 #include "app/window/window_program.h"

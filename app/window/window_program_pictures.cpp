@@ -1,4 +1,4 @@
-#include "app/picture_retarget.h"
+#include "app/analyze/picture_retarget.h"
 #include "app/window/live_session.h"
 #include "app/window/window_program.h"
 

@@ -1,4 +1,4 @@
-#include "app/pose_reference.h"
+#include "app/evaluate/pose_reference.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "app/pose_reference.h"
+#include "app/evaluate/pose_reference.h"
 #include "capture/simulated_student.h"
 #include "capture/video_file.h"
 #include "core/pipeline/track_poses.h"
