@@ -30,11 +30,22 @@ double bone_error(const Motion& motion, int frame, const std::vector<int>& bones
   return weight > 0 ? error / weight : 0;
 }
 
+// A camera's network is never quite sure of a joint; a capture system has seen it or has not.
+bool is_guessed(const Motion& motion) {
+  std::size_t guessed = 0;
+  for (int frame = 0; frame < motion.frame_count(); ++frame)
+    for (int j = 0; j < motion.joint_count(); ++j) {
+      const double confidence = motion.confidence(frame, j);
+      if (confidence > 0 && confidence < 1) ++guessed;
+    }
+  return 2 * guessed > index(motion.frame_count()) * index(motion.joint_count());
+}
+
 }  // namespace
 
 std::vector<double> doubts(const Motion& motion) {
   std::vector<double> doubt(index(motion.frame_count()), 0);
-  if (motion.has_rotations()) return doubt;
+  if (!is_guessed(motion)) return doubt;
   std::vector<int> bones;
   for (int j = 1; j < motion.joint_count(); ++j)
     if (motion.skeleton().joint(j).role && motion.skeleton().bone_length(j) > 0.02) bones.push_back(j);

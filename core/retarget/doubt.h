@@ -1,6 +1,7 @@
 // How far a motion's positions can be trusted, told from the motion itself: bones that change their length
-// and joints that were not seen. A motion from a capture system or an animation is beyond doubt and is left
-// alone by everything that repairs webcam input.
+// and joints that were not seen. Only a motion seen by a camera, whose joints have confidences between 0 and
+// 1, is ever doubted: markers on the skin change their distances too, but lie where they were measured. A
+// motion from a capture system or an animation is left alone by everything that repairs webcam input.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,7 @@
 namespace posecoach {
 
 // One number a frame in [0, 1]: 0 below 0.5 % of bone length error (mean of the bones, smoothed over half a
-// second), 1 above 2.5 %; 0 throughout for motions with rotations.
+// second), 1 above 2.5 %; 0 throughout for motions that no camera saw.
 std::vector<double> doubts(const Motion& motion);
 
 // The motion with positions smoothed by a Gaussian where there is doubt, in between by the share of doubt.

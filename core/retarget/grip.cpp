@@ -15,6 +15,9 @@ namespace {
 using enum HumanoidJoint;
 
 constexpr double kHeld_m = 0.20, kLoose_m = 0.30;
+// A camera guesses the depth of each hand by a decimetre and more; on a club wrists are a hand's breadth
+// apart.
+constexpr double kHeldWhenGuessed_m = 0.35, kLooseWhenGuessed_m = 0.50, kMostWhenGuessed_m = 0.10;
 constexpr double kLongEnough_s = 0.5;
 constexpr double kFlank_s = 0.15;
 // Elbows lock suddenly: an arm is stretched no further than this, or than the coach stretches his, unless it
@@ -76,9 +79,24 @@ NearestInBoth grip_centre(const PosedMotion& student, int frame, const Arm& left
                          student.position(frame, right.limb.root) + 0.5 * relation, reach.right_m);
 }
 
+double doubt_in(std::span<const double> doubt, int frame) {
+  return doubt.empty() ? 0 : doubt[index(frame)];
+}
+
+std::vector<Vec3> held_relations(const Motion& coach, std::span<const double> doubt) {
+  std::vector<Vec3> relations;
+  for (int f = 0; f < coach.frame_count(); ++f) {
+    const Vec3 seen = wrist_relation(coach.skeleton(), coach.positions(f));
+    const double most = std::max(1.0, glm::length(seen) / kMostWhenGuessed_m);
+    relations.push_back(glm::mix(seen, seen / most, doubt_in(doubt, f)));
+  }
+  return relations;
+}
+
 // How far the wrists' middle gives way in each frame so that no arm locks; smooth over time.
 std::vector<Vec3> grip_shifts(const Motion& coach, const PosedMotion& student, const Arm& left,
-                              const Arm& right, std::span<const double> weights) {
+                              const Arm& right, std::span<const double> weights,
+                              std::span<const Vec3> relations) {
   const Limb coach_left = left_arm(coach.skeleton()), coach_right = right_arm(coach.skeleton());
   std::vector<Vec3> shifts(index(student.frame_count()), Vec3(0));
   for (int f = 0; f < student.frame_count(); ++f) {
@@ -87,11 +105,10 @@ std::vector<Vec3> grip_shifts(const Motion& coach, const PosedMotion& student, c
       return arm.reacher.reach() * std::clamp(stretch(coach, f, coach_arm), kComfortableReach, kFullReach);
     };
     const Vec3 wanted = wrists_middle(student, f, left, right);
-    shifts[index(f)] =
-        grip_centre(student, f, left, right, wrist_relation(coach.skeleton(), coach.positions(f)), wanted,
-                    {comfortable(left, coach_left), comfortable(right, coach_right)})
-            .place -
-        wanted;
+    shifts[index(f)] = grip_centre(student, f, left, right, relations[index(f)], wanted,
+                                   {comfortable(left, coach_left), comfortable(right, coach_right)})
+                           .place -
+                       wanted;
   }
   return smoothed_over_time(shifts, student.times(), kYieldSmoothing_s);
 }
@@ -113,11 +130,13 @@ Vec3 wrist_relation(const Skeleton& skeleton, std::span<const Vec3> positions) {
   return positions[index(skeleton.find(LeftWrist))] - positions[index(skeleton.find(RightWrist))];
 }
 
-std::vector<double> grip_weights(const Motion& coach) {
+std::vector<double> grip_weights(const Motion& coach, std::span<const double> doubt) {
   std::vector<double> near;
   for (int f = 0; f < coach.frame_count(); ++f) {
     const double distance = glm::length(wrist_relation(coach.skeleton(), coach.positions(f)));
-    near.push_back(std::clamp((kLoose_m - distance) / (kLoose_m - kHeld_m), 0.0, 1.0));
+    const double held = glm::mix(kHeld_m, kHeldWhenGuessed_m, doubt_in(doubt, f)),
+                 loose = glm::mix(kLoose_m, kLooseWhenGuessed_m, doubt_in(doubt, f));
+    near.push_back(std::clamp((loose - distance) / (loose - held), 0.0, 1.0));
   }
   drop_short_meetings(near, coach.times());
   // Widened before it is smoothed, so that the flanks lie outside and the grip itself keeps its full weight.
@@ -141,18 +160,20 @@ std::vector<double> grip_weights(const Motion& coach) {
   return smooth;
 }
 
-void close_grip(const Motion& coach, PosedMotion& student, ContactReport& report) {
-  const std::vector<double> weights = grip_weights(coach);
+void close_grip(const Motion& coach, std::span<const double> doubt, PosedMotion& student,
+                ContactReport& report) {
+  const std::vector<double> weights = grip_weights(coach, doubt);
+  const std::vector<Vec3> relations = held_relations(coach, doubt);
   const Skeleton& body = student.skeleton();
   const Arm left = arm_of(student, left_arm(body), LeftClavicle);
   const Arm right = arm_of(student, right_arm(body), RightClavicle);
-  const std::vector<Vec3> shifts = grip_shifts(coach, student, left, right, weights);
+  const std::vector<Vec3> shifts = grip_shifts(coach, student, left, right, weights, relations);
   const Reach full{kFullReach * left.reacher.reach(), kFullReach * right.reacher.reach()};
   std::vector<double> errors;
   for (int f = 0; f < student.frame_count(); ++f) {
     const double weight = weights[index(f)];
     if (weight <= 0) continue;
-    const Vec3 relation = wrist_relation(coach.skeleton(), coach.positions(f));
+    const Vec3& relation = relations[index(f)];
     const Vec3 wanted = wrists_middle(student, f, left, right) + shifts[index(f)];
     NearestInBoth centre = grip_centre(student, f, left, right, relation, wanted, full);
     if (centre.gap > 0) {

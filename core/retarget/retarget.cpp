@@ -73,7 +73,8 @@ Result<Motion> carried(const Motion& given, const Motion& ready, const Skeleton&
 }
 
 // The constraint layer; what it finds in order it leaves as it is, to the last bit.
-void constrain(const Motion& coach, const RetargetOptions& options, RetargetResult& result) {
+void constrain(const Motion& coach, const std::vector<double>& doubt, const RetargetOptions& options,
+               RetargetResult& result) {
   const bool contacts = options.contacts == Contacts::On;
   const Stride stride = options.stride.value_or(options.method == RetargetMethod::Network ? Stride::LikeCoach
                                                                                           : Stride::AsTurned);
@@ -86,7 +87,7 @@ void constrain(const Motion& coach, const RetargetOptions& options, RetargetResu
   if (limits) result.limits = keep_joint_limits(posed);
   if (contacts) {
     plant_feet(coach, posed);
-    close_grip(coach, posed, result.contacts);
+    close_grip(coach, doubt, posed, result.contacts);
   }
   if (strides || result.limits.turned_frames > 0) result.motion = posed.motion();
 }
@@ -129,7 +130,7 @@ Result<RetargetResult> retarget(const Motion& coach, const Skeleton& body, const
   if (!motion) return tl::unexpected(motion.error());
   if (options.method == RetargetMethod::Scale) motion = scaled_motion(*ready, *motion, *mapping);
   RetargetResult result{*std::move(motion), 0, {}, {}};
-  constrain(*ready, options, result);
+  constrain(*ready, doubts(coach), options, result);
   result.bone_length_error_max = bone_length_error(result.motion);
   return result;
 }
