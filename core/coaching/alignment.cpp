@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/coaching/body_axes.h"
@@ -16,6 +17,8 @@ constexpr int kCoarseStep = 4;
 constexpr int kCoarseRounds = 3;
 constexpr int kFineRounds = 6;
 constexpr double kYawTolerance = 1e-4;
+// How far the turn that is seen may be from the one that all directions give, and when it is settled.
+constexpr double kSeenYawReach = radians_from_degrees(20), kSeenYawTolerance = 1e-3;
 // Nobody is believed less than this: a hidden arm is still somewhere near.
 constexpr double kLeastConfidence = 0.05;
 // Distances below it do not pull harder on the turn, metres.
@@ -56,6 +59,49 @@ double best_yaw(const PoseSequence& student, const PoseSequence& coach, const Wa
   }
   const double best = std::atan2(cross, dot);
   return std::abs(best) < 1e-9 ? 0 : best;
+}
+
+// The mean distance of the paired poses after a turn of the coach, as far as it is seen.
+double seen_distance(const PoseSequence& student, const PoseSequence& coach, const Warp& warp,
+                     const Sight& sight, double yaw) {
+  double sum = 0, weights = 0;
+  for (int k = 0; k < student.joints(); ++k) {
+    const auto sx = student.x(k), sy = student.y(k), sz = student.z(k), sw = student.weight(k);
+    const auto cx = coach.x(k), cy = coach.y(k), cz = coach.z(k), cw = coach.weight(k);
+    for (const auto& [row, column] : warp.path) {
+      const auto i = static_cast<std::size_t>(row), j = static_cast<std::size_t>(column);
+      const Vec3 apart = Vec3(sx[i], sy[i], sz[i]) - turned(Vec3(cx[j], cy[j], cz[j]), yaw);
+      const double weight = static_cast<double>(sw[i] * cw[j]);
+      sum += weight * glm::length(sight.seen(apart));
+      weights += weight;
+    }
+  }
+  return sum / weights;
+}
+
+// Golden section. A turn moves what is far or near to the side, where it is seen, so it needs no depth of the
+// student's: guessed depths would turn the coach by their own errors.
+double best_seen_yaw(const PoseSequence& student, const PoseSequence& coach, const Warp& warp,
+                     const Sight& sight, double yaw) {
+  constexpr double kGolden = 0.618033988749895;
+  double low = yaw - kSeenYawReach, high = yaw + kSeenYawReach;
+  const auto cost = [&](double at) { return seen_distance(student, coach, warp, sight, at); };
+  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+  double left_cost = cost(left), right_cost = cost(right);
+  while (high - low > kYawTolerance) {
+    if (left_cost < right_cost) {
+      high = std::exchange(right, left);
+      right_cost = left_cost;
+      left = high - kGolden * (high - low);
+      left_cost = cost(left);
+    } else {
+      low = std::exchange(left, right);
+      left_cost = right_cost;
+      right = low + kGolden * (high - low);
+      right_cost = cost(right);
+    }
+  }
+  return 0.5 * (low + high);
 }
 
 struct Start {
@@ -139,10 +185,22 @@ Alignment align_tracks(const JointTrack& own_student, const JointTrack& own_coac
     yaw = tried;
     found = std::move(next);
   }
-  // The turn was found in all directions alike; the pairing goes by what was seen.
+  // So far all directions counted alike, which finds the turn from anywhere; turn and pairing are settled by
+  // what was seen.
   const PoseSequence seen = pose_sequence(student, joints, 1, 0, sight);
-  const PoseSequence seen_coach = pose_sequence(coach, joints, 1, yaw, sight);
+  PoseSequence seen_coach = pose_sequence(coach, joints, 1, yaw, sight);
   if (sight.direction) found = warp(seen, seen_coach, ends);
+  for (int round = 0; sight.direction && round < kFineRounds; ++round) {
+    const double tried = best_seen_yaw(s, unturned, found, sight, yaw);
+    PoseSequence tried_coach = pose_sequence(coach, joints, 1, tried, sight);
+    Warp next = warp(seen, tried_coach, ends);
+    if (next.cost >= found.cost) break;
+    const bool is_settled = std::abs(tried - yaw) < kSeenYawTolerance;
+    yaw = tried;
+    found = std::move(next);
+    seen_coach = std::move(tried_coach);
+    if (is_settled) break;
+  }
   Alignment alignment{
       sight, yaw, std::move(student), turned_track(coach, yaw), std::move(joints), std::move(found.path), {},
       {},    {}};

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/coaching/alignment.h"
+#include "core/coaching/body_axes.h"
 #include "core/coaching/film_habits.h"
 #include "core/coaching/metrics.h"
 #include "core/coaching/pose_alignment.h"
@@ -19,6 +20,8 @@ namespace {
 
 constexpr std::size_t kMostAdvice = 3;
 constexpr double kWorstFramesApart_s = 0.1;
+// The coach's window begins with his address.
+constexpr double kAddress_s = 0.1;
 // Below this score the coach's motion was not found in a film without events: it shows something else.
 constexpr double kLeastPercentWithoutEvents = 40;
 
@@ -128,8 +131,16 @@ std::vector<Advice> most_important(const Analysis& analysis, const TimingResult&
   return all;
 }
 
+// By where the camera truly stood, as the coach, turned to face as the student does, tells it.
+UsualFilmError usual_film_error(const Alignment& alignment, StrokeKind kind) {
+  if (!alignment.sight.direction) return {};
+  const double begin_s = alignment.coach.time(0);
+  const Vec3 front = body_axes(alignment.coach, begin_s, begin_s + kAddress_s).front;
+  return {kind, line_share_of(*alignment.sight.direction, front)};
+}
+
 void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrack& student,
-                 const JointTrack& coach, double usual_error) {
+                 const JointTrack& coach, const UsualFilmError& usual_error) {
   analysis.score = score_of(alignment, usual_error);
   analysis.score.groups = group_scores_of(alignment, usual_error);
   analysis.path = alignment.path;
@@ -141,7 +152,7 @@ void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrac
 }
 
 void add_strokes(Analysis& analysis, const Side& student, const Side& coach, const Alignment& alignment,
-                 const CompareOptions& options) {
+                 const UsualFilmError& usual_error, const CompareOptions& options) {
   const Viewpoint view = options.view;
   const JointTrack turned_coach =
       coach.track.mapped([&](const Vec3& p) { return turned(p, alignment.coach_yaw); });
@@ -159,8 +170,7 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
   if (timing.in_proportion) analysis.notes.push_back(text::other_pace(timing.pace, is_one_camera(view)));
   analysis.spatial = find_spatial_advice(swings, kMostAdvice);
   analysis.poses = match_poses(swings, alignment);
-  analysis.score.phases =
-      phase_scores_of(alignment, *student.events, usual_film_error(view, student.events->kind));
+  analysis.score.phases = phase_scores_of(alignment, *student.events, usual_error);
   if (const std::string words = options.strictness.words(); !words.empty()) analysis.notes.push_back(words);
   analysis.metrics = measure_swing(swings);
   analysis.advice = most_important(analysis, timing, student, coach);
@@ -205,10 +215,10 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   analysis.coach_events = coach->events->events;
   analysis.coach_takeaway_s = coach->events->takeaway_s;
   analysis.coach_yaw = student->hand == Handedness::Left ? -alignment.coach_yaw : alignment.coach_yaw;
-  add_aligned(analysis, alignment, student->track, coach->track,
-              usual_film_error(options.view, coach->events->kind));
+  const UsualFilmError usual_error = usual_film_error(alignment, coach->events->kind);
+  add_aligned(analysis, alignment, student->track, coach->track, usual_error);
   if (student->events) {
-    add_strokes(analysis, *student, *coach, alignment, options);
+    add_strokes(analysis, *student, *coach, alignment, usual_error, options);
   } else if (analysis.score.percent < kLeastPercentWithoutEvents) {
     return fail(ErrorCode::Incomplete, options.student_name + ": " + student->reason.message);
   } else {

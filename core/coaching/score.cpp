@@ -24,21 +24,6 @@ double percent_from_error(double mean_joint_error_m, double leg_length_m, double
   return 100 / (1 + std::pow(left / kHalfScore, 1.5));
 }
 
-double usual_film_error(Viewpoint view, StrokeKind kind) {
-  const bool is_putt = kind == StrokeKind::Putt;
-  switch (view) {
-    case Viewpoint::AllSides:
-      return 0;
-    case Viewpoint::FaceOn:
-      return is_putt ? 0.050 : 0.058;
-    case Viewpoint::DownTheLine:
-      return is_putt ? 0.028 : 0.055;
-    case Viewpoint::Between:
-      break;
-  }
-  return is_putt ? 0.028 : 0.055;
-}
-
 double leg_length(const JointTrack& track) {
   std::vector<double> lengths;
   for (int frame = 0; frame < track.frame_count(); ++frame) {
@@ -54,7 +39,8 @@ double leg_length(const JointTrack& track) {
   return *middle;
 }
 
-Score score_of(const Alignment& alignment, double usual_error) {
+Score score_of(const Alignment& alignment, const UsualFilmError& usual_error) {
+  const double usual = usual_error.of("whole");
   Score score;
   const double pairs = static_cast<double>(alignment.path_error_m.size());
   const double sum = std::accumulate(alignment.path_error_m.begin(), alignment.path_error_m.end(), 0.0);
@@ -62,16 +48,16 @@ Score score_of(const Alignment& alignment, double usual_error) {
   score.mean_joint_error_m = sum / pairs;
   score.raw = sum * score.joints_compared;
   const double leg = leg_length(alignment.student);
-  score.percent = percent_from_error(score.mean_joint_error_m, leg, usual_error);
+  score.percent = percent_from_error(score.mean_joint_error_m, leg, usual);
   // Doubt widens the score; it never moves it.
   double doubt = 0;
   for (const auto& [i, j] : alignment.steps)
     for (const HumanoidJoint joint : alignment.joints) doubt += 1 - alignment.student.confidence(i, joint);
   doubt *= kHiddenJointError_m / static_cast<double>(alignment.steps.size() * alignment.joints.size());
-  const auto percent = [&](double error_m, double usual) { return percent_from_error(error_m, leg, usual); };
+  const auto percent = [&](double error_m, double less) { return percent_from_error(error_m, leg, less); };
   const double low = std::max(0.0, score.mean_joint_error_m - doubt), high = score.mean_joint_error_m + doubt;
-  score.plus_minus = 0.5 * (percent(low, usual_error * (1 + kUsualErrorSpread)) -
-                            percent(high, usual_error * (1 - kUsualErrorSpread)));
+  score.plus_minus =
+      0.5 * (percent(low, usual * (1 + kUsualErrorSpread)) - percent(high, usual * (1 - kUsualErrorSpread)));
   return score;
 }
 
@@ -94,14 +80,16 @@ const std::vector<BodyPart>& body_parts() {
   return parts;
 }
 
-PartScore part_score(std::string name, double sum, double count, double leg_length_m, double usual_error) {
+PartScore part_score(std::string name, double sum, double count, double leg_length_m,
+                     const UsualFilmError& usual_error) {
   const double mean = count > 0 ? sum / count : 0;
-  return {std::move(name), mean, percent_from_error(mean, leg_length_m, usual_error)};
+  const double percent = percent_from_error(mean, leg_length_m, usual_error.of(name));
+  return {std::move(name), mean, percent};
 }
 
 }  // namespace
 
-std::vector<PartScore> group_scores_of(const Alignment& alignment, double usual_error) {
+std::vector<PartScore> group_scores_of(const Alignment& alignment, const UsualFilmError& usual_error) {
   const double leg = leg_length(alignment.student);
   const std::vector<JointError> errors = joint_errors_of(alignment);
   std::vector<PartScore> scores;
@@ -119,7 +107,7 @@ std::vector<PartScore> group_scores_of(const Alignment& alignment, double usual_
 }
 
 std::vector<PartScore> phase_scores_of(const Alignment& alignment, const SwingEvents& student,
-                                       double usual_error) {
+                                       const UsualFilmError& usual_error) {
   const double leg = leg_length(alignment.student);
   const double top = student.time_of("top"), impact = student.time_of("impact");
   std::array<double, 3> sums{}, counts{};

@@ -3,8 +3,8 @@
 
 #include "core/coaching/alignment.h"
 #include "core/coaching/analysis.h"
+#include "core/coaching/film_error.h"
 #include "core/coaching/swing_events.h"
-#include "core/coaching/viewpoint.h"
 
 namespace posecoach {
 
@@ -13,18 +13,16 @@ namespace posecoach {
 inline constexpr double kHalfScore = 0.10;
 
 double percent_from_error(double mean_joint_error_m, double leg_length_m, double usual_error = 0);
-// In leg lengths: about the least that the pose stage makes of a faultless stroke filmed from this side.
-double usual_film_error(Viewpoint view, StrokeKind kind);
 
 // Hip to knee to ankle, median over the frames, mean of both sides, metres.
 double leg_length(const JointTrack& track);
 
-Score score_of(const Alignment& alignment, double usual_error);
+Score score_of(const Alignment& alignment, const UsualFilmError& usual_error);
 // Each part of the body by its own joints; parts that the bodies do not share are left out.
-std::vector<PartScore> group_scores_of(const Alignment& alignment, double usual_error);
+std::vector<PartScore> group_scores_of(const Alignment& alignment, const UsualFilmError& usual_error);
 // Address to top to impact to the last event, by the student's time along the path.
 std::vector<PartScore> phase_scores_of(const Alignment& alignment, const SwingEvents& student,
-                                       double usual_error);
+                                       const UsualFilmError& usual_error);
 // Worst first.
 std::vector<JointError> joint_errors_of(const Alignment& alignment);
 // At most five, at least `apart` seconds of the student's time from each other, worst first.

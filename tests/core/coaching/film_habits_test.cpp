@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "core/coaching/compare.h"
+#include "core/coaching/film_error.h"
 #include "tests/core/coaching/strokes.h"
 
 namespace posecoach {
@@ -109,6 +113,55 @@ TEST(FilmHabits, the_same_swing_seen_from_twenty_degrees_off_scores_within_three
   const double straight = score_from(0);
   for (const double degrees : {-20.0, -10.0, 10.0, 20.0})
     EXPECT_NEAR(score_from(degrees), straight, 3) << degrees;
+}
+
+// What a pose model does: sideways and up as it is, but the depth leans with the place.
+Motion with_guessed_depths(const Motion& motion, const Vec3& sight, const Vec3& lean) {
+  return with_positions(motion, [&](int, int, const Vec3& p) {
+    return p + sight * glm::dot(lean, p - glm::dot(p, sight) * sight);
+  });
+}
+
+TEST(FilmHabits, guessed_depths_do_not_turn_the_coach) {
+  const JointTrack coach = JointTrack::from_motion(make_stroke().motion).value();
+  const Motion student = make_stroke({.frames_per_second = 30}).motion;
+  const auto window = [](const JointTrack& track) {
+    const SwingEvents found = find_swing_events(track).value();
+    return TimeWindow{found.events.front().time_s, found.events.back().time_s};
+  };
+  for (const Vec3& sight : {Vec3(0, 0, -1), Vec3(-1, 0, 0)})
+    for (const double lean : {-0.3, 0.3}) {
+      const JointTrack seen =
+          JointTrack::from_motion(with_guessed_depths(student, sight, lean * Vec3(1, 0, 1))).value();
+      const Alignment alignment = align(seen, coach, window(JointTrack::from_motion(student).value()),
+                                        window(coach), {.direction = sight});
+      EXPECT_NEAR(degrees_from_radians(alignment.coach_yaw), 0, 4) << sight.x << " " << lean;
+    }
+}
+
+TEST(FilmErrors, motion_capture_has_none) {
+  EXPECT_EQ(UsualFilmError().of("whole"), 0);
+  EXPECT_EQ(UsualFilmError().of("head"), 0);
+}
+
+TEST(FilmErrors, go_over_from_one_side_to_the_other_with_the_cameras_angle) {
+  for (const StrokeKind kind : {StrokeKind::FullSwing, StrokeKind::Putt})
+    for (const char* part : {"whole", "hips", "head", "lead_arm", "trail_leg", "downswing"}) {
+      const auto at = [&](double degrees) {
+        const double angle = radians_from_degrees(degrees);
+        const double share = line_share_of({std::sin(angle), -0.2, -std::cos(angle)}, {0, 0, 1});
+        return UsualFilmError(kind, share).of(part);
+      };
+      EXPECT_NEAR(at(180), at(0), 1e-12);
+      EXPECT_NEAR(at(20), at(-20), 1e-12);
+      const double least = std::min(at(0), at(90)), most = std::max(at(0), at(90));
+      EXPECT_GT(least, 0);
+      for (const double degrees : {10.0, 45.0, 70.0}) {
+        EXPECT_GE(at(degrees), least - 1e-12) << part;
+        EXPECT_LE(at(degrees), most + 1e-12) << part;
+      }
+      EXPECT_LT(std::abs(at(10) - at(0)), 0.1 * (most - least) + 1e-12) << part;
+    }
 }
 
 }  // namespace
