@@ -153,7 +153,7 @@ void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrac
 
 void add_strokes(Analysis& analysis, const Side& student, const Side& coach, const Alignment& alignment,
                  const UsualFilmError& usual_error, const CompareOptions& options) {
-  const Viewpoint view = options.view;
+  const Viewpoint view = options.views.student;
   const JointTrack turned_coach =
       coach.track.mapped([&](const Vec3& p) { return turned(p, alignment.coach_yaw); });
   std::optional<JointTrack> himself;
@@ -162,11 +162,13 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
       himself = coach.hand == Handedness::Left ? track->mirrored() : *std::move(track);
   const ComparedSwings swings{
       student.track, *student.events, turned_coach,       *coach.events,
-      view,          student.sight,   options.strictness, himself ? &*himself : nullptr};
+      options.views, student.sight,   options.strictness, himself ? &*himself : nullptr};
   analysis.student_events = student.events->events;
   analysis.student_takeaway_s = student.events->takeaway_s;
   TimingResult timing = find_timing_advice(swings, alignment);
   if (const std::string seen = text::seen_from(view); !seen.empty()) analysis.notes.push_back(seen);
+  if (is_one_camera(options.views.coach) && !is_filmed_alike(options.views))
+    analysis.notes.push_back(text::coach_seen_elsewhere());
   if (timing.in_proportion) analysis.notes.push_back(text::other_pace(timing.pace, is_one_camera(view)));
   analysis.spatial = find_spatial_advice(swings, kMostAdvice);
   analysis.poses = match_poses(swings, alignment);
@@ -183,7 +185,7 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
                          const CompareOptions& options) {
   Result<Side> student = make_side(student_motion, options.hand, options.sight);
   if (!student) return fail(student.error().code, options.student_name + ": " + student.error().message);
-  const Result<Side> coach = make_side(coach_motion, std::nullopt, {});
+  Result<Side> coach = make_side(coach_motion, std::nullopt, options.coach_sight);
   if (!coach) return fail(coach.error().code, options.coach_name + ": " + coach.error().message);
   if (!coach->events) return fail(ErrorCode::Incomplete, options.coach_name + ": " + coach->reason.message);
   if (student->reason.code == ErrorCode::Unsupported)
@@ -197,9 +199,14 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
       student->events
           ? align(student->track, coach->track, stroke_window(*student->events), coach_window, student->sight)
           : align_anywhere(student->track, coach->track, coach_window, student->sight);
-  if (student->events)
-    student->events =
-        events_put_right(*student->events, *coach->events, alignment, student->track, options.view);
+  if (student->events) {
+    const double pace = pace_of(*student->events, *coach->events);
+    const double answered_top_s = alignment.student_time(coach->events->time_of("top"));
+    student->events = events_put_right(*student->events, student->track, options.views.student,
+                                       student->sight, pace, answered_top_s);
+    coach->events =
+        events_put_right(*coach->events, coach->track, options.views.coach, coach->sight, 1 / pace);
+  }
   if (is_moved) (void)move_events(*student, options.moved_events);
   Analysis analysis;
   if (!options.moved_events.empty()) analysis.notes.push_back(text::moved_by_hand(is_moved));
@@ -215,7 +222,9 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   analysis.coach_events = coach->events->events;
   analysis.coach_takeaway_s = coach->events->takeaway_s;
   analysis.coach_yaw = student->hand == Handedness::Left ? -alignment.coach_yaw : alignment.coach_yaw;
-  const UsualFilmError usual_error = usual_film_error(alignment, coach->events->kind);
+  UsualFilmError usual_error = usual_film_error(alignment, coach->events->kind);
+  if (is_one_camera(options.views.coach))
+    usual_error = usual_error.between_films(is_filmed_alike(options.views));
   add_aligned(analysis, alignment, student->track, coach->track, usual_error);
   if (student->events) {
     add_strokes(analysis, *student, *coach, alignment, usual_error, options);

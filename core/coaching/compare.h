@@ -17,8 +17,9 @@ namespace posecoach {
 
 struct CompareOptions {
   std::optional<Handedness> hand = {};  // the student's; detected when not given
-  Viewpoint view = Viewpoint::AllSides;
-  Sight sight = {};  // of the camera, in the world of the student's motion
+  Viewpoints views = {};
+  Sight sight = {};        // of the camera, in the world of the student's motion
+  Sight coach_sight = {};  // likewise of the coach, if a camera saw him
   Strictness strictness = {};
   // The coach's motion before it was carried over, frame by frame the same: the bend of his arms, which
   // closing the grip of longer arms would change, is told from it. Right-handed where `coach` is.

@@ -17,13 +17,17 @@ class UsualFilmError {
   // of both sides count by their shares.
   UsualFilmError(StrokeKind kind, double line_share);
 
+  // Where the coach was filmed, too: from the same side the errors are alike, and a part of them is left;
+  // from another side both count.
+  UsualFilmError between_films(bool from_one_side) const;
+
   // Mean joint error in leg lengths, of the "whole" or of a part of the score (Score::groups, Score::phases).
   double of(std::string_view part) const;
 
  private:
   bool is_film_ = false;
   StrokeKind kind_ = StrokeKind::FullSwing;
-  double line_share_ = 0;
+  double line_share_ = 0, share_left_ = 1;
 };
 
 // How much of a camera's look along `sight` (level or not) goes along the target line of a golfer who faces

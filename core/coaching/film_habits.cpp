@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <vector>
 
 #include "core/coaching/body_axes.h"
 #include "core/coaching/hand_path.h"
 #include "core/coaching/signal.h"
-#include "core/coaching/timing_advice.h"
 
 namespace posecoach {
 namespace {
@@ -145,20 +145,21 @@ std::vector<double> along(const std::vector<Vec3>& positions, const Vec3& direct
   return values;
 }
 
-// From an angle the whole body knows better than the hands where the top is. Where it says something quite
-// different, the student's top is another than the coach's, and the hands are believed.
-double answered_top(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment) {
+// Where the answer says something quite different, the top is another than the other golfer's, and the hands
+// are believed.
+double top_from_angle(const SwingEvents& found, std::optional<double> answered_s) {
   constexpr double kMostShift = 0.2;  // of the backswing
-  const double seen = found.time_of("top"), answered = alignment.student_time(coach.time_of("top"));
-  return std::abs(answered - seen) < kMostShift * (seen - found.takeaway_s) ? answered : seen;
+  const double seen = found.time_of("top");
+  return answered_s && std::abs(*answered_s - seen) < kMostShift * (seen - found.takeaway_s) ? *answered_s
+                                                                                             : seen;
 }
 
 // The middle of the hands' turn: from in front of a swing how high they are tells it (the depth of the hands
 // hides the rest), from down the line how far they are from where they rested, and over a putt their way to
 // the target.
-double turn_of_hands(const SwingEvents& found, const JointTrack& student, const Sight& sight, Viewpoint view,
+double turn_of_hands(const SwingEvents& found, const JointTrack& track, const Sight& sight, Viewpoint view,
                      double slow) {
-  const HandPath path = make_hand_path(student, sight);
+  const HandPath path = make_hand_path(track, sight);
   const auto sample = [&path](double time_s) {
     return std::clamp(static_cast<int>(std::lround((time_s - path.begin_s) * kHandPathRate)), 0,
                       path.count() - 1);
@@ -168,7 +169,7 @@ double turn_of_hands(const SwingEvents& found, const JointTrack& student, const 
   const bool is_putt = found.kind == kPutt;
   std::vector<double> way;
   if (is_putt) {
-    const BodyAxes axes = body_axes(student, student.time(0), student.duration());
+    const BodyAxes axes = body_axes(track, track.time(0), track.duration());
     way = along(path.hands, -axes.left);
   } else if (view == kFace) {
     way = path.height;
@@ -193,6 +194,21 @@ std::optional<FeatureHabit> feature_habit(Viewpoint view, StrokeKind kind, std::
                       std::max(face->clear, line->clear), face->is_size_known && line->is_size_known};
 }
 
+std::optional<FeatureHabit> feature_habit(const Viewpoints& views, StrokeKind kind, std::string_view event,
+                                          Feature feature) {
+  if (!is_one_camera(views.coach)) return feature_habit(views.student, kind, event, feature);
+  std::optional<FeatureHabit> habit = feature_habit(views.coach, kind, event, feature);
+  if (!habit) return std::nullopt;
+  if (!is_one_camera(views.student)) {
+    habit->usual_error = -habit->usual_error;
+    return habit;
+  }
+  if (!is_filmed_alike(views)) return std::nullopt;
+  habit->usual_error = 0;
+  habit->clear *= std::numbers::sqrt2;
+  return habit;
+}
+
 EventHabit event_habit(Viewpoint view, StrokeKind kind, std::string_view event) {
   if (!is_one_camera(view)) return {0, 0};
   for (const EventRow& row : kEventRows)
@@ -206,26 +222,36 @@ std::optional<MetricHabit> metric_habit(Viewpoint view, std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<PhaseHabit> phase_habit(Viewpoint view, StrokeKind kind, std::string_view from,
+std::optional<PhaseHabit> phase_habit(const Viewpoints& views, StrokeKind kind, std::string_view from,
                                       std::string_view to) {
-  for (const PhaseRow& row : kPhaseRows)
-    if (row.view == view && row.kind == kind && row.from == from && row.to == to) return row.habit;
-  return std::nullopt;
+  const auto row = [&](Viewpoint view) {
+    const auto* const found = std::find_if(kPhaseRows.begin(), kPhaseRows.end(), [&](const PhaseRow& r) {
+      return r.view == view && r.kind == kind && r.from == from && r.to == to;
+    });
+    return found == kPhaseRows.end() ? std::nullopt : std::optional(found->habit);
+  };
+  const auto student = row(views.student), coach = row(views.coach);
+  if (!student || !coach) {
+    if (student || !coach) return student;
+    return PhaseHabit{1 / (1 + coach->usual_error) - 1, coach->gain, coach->clear};
+  }
+  return PhaseHabit{(1 + student->usual_error) / (1 + coach->usual_error) - 1,
+                    std::min(student->gain, coach->gain), std::max(student->clear, coach->clear)};
 }
 
-SwingEvents events_put_right(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment,
-                             const JointTrack& student, Viewpoint view) {
+SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, Viewpoint view,
+                             const Sight& sight, double pace, std::optional<double> answered_top_s) {
   if (!is_one_camera(view)) return found;
   SwingEvents right = found;
   // Habits of time grow with it.
-  const double slow = std::max(1.0, pace_of(found, coach));
+  const double slow = std::max(1.0, pace);
   const auto habit = [&](std::string_view event) {
     return slow * event_habit(view, found.kind, event).late_s;
   };
   for (SwingEvent& event : right.events) {
     if (event.name == "top")
-      event.time_s = view == Viewpoint::Between ? answered_top(found, coach, alignment)
-                                                : turn_of_hands(found, student, alignment.sight, view, slow);
+      event.time_s = view == Viewpoint::Between ? top_from_angle(found, answered_top_s)
+                                                : turn_of_hands(found, track, sight, view, slow);
     event.time_s -= habit(event.name);
   }
   right.takeaway_s = std::max(0.0, right.takeaway_s - habit("takeaway"));
@@ -234,7 +260,7 @@ SwingEvents events_put_right(const SwingEvents& found, const SwingEvents& coach,
   const auto is_not_after = [](const SwingEvent& a, const SwingEvent& b) { return b.time_s <= a.time_s; };
   if (std::adjacent_find(right.events.begin(), right.events.end(), is_not_after) != right.events.end())
     return found;
-  for (SwingEvent& event : right.events) event.frame = student.nearest_frame(event.time_s);
+  for (SwingEvent& event : right.events) event.frame = track.nearest_frame(event.time_s);
   return right;
 }
 

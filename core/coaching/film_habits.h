@@ -6,8 +6,9 @@
 #include <optional>
 #include <string_view>
 
-#include "core/coaching/alignment.h"
+#include "core/coaching/joint_track.h"
 #include "core/coaching/part_differences.h"
+#include "core/coaching/sight.h"
 #include "core/coaching/swing_events.h"
 #include "core/coaching/viewpoint.h"
 
@@ -26,6 +27,9 @@ struct FeatureHabit {
 };
 // Nothing where this side cannot tell. A camera at an angle tells only what both sides can.
 std::optional<FeatureHabit> feature_habit(Viewpoint view, StrokeKind kind, std::string_view event,
+                                          Feature feature);
+// Of two films from one side the habits cancel and what wavers adds up; from two sides nothing can be told.
+std::optional<FeatureHabit> feature_habit(const Viewpoints& views, StrokeKind kind, std::string_view event,
                                           Feature feature);
 
 // What a metric is read off by from this side, and how much that wavers (two standard deviations), in its
@@ -50,13 +54,14 @@ struct PhaseHabit {
   double clear = 0;
 };
 // Nothing for phases that are read as they are.
-std::optional<PhaseHabit> phase_habit(Viewpoint view, StrokeKind kind, std::string_view from,
+std::optional<PhaseHabit> phase_habit(const Viewpoints& views, StrokeKind kind, std::string_view from,
                                       std::string_view to);
 
-// The events of a student seen by one camera, put right: the top, which trembling hands blur, as the middle
-// of their turn over a longer time (from an angle: as the alignment answers the coach's), and every habit
-// taken off. Unchanged where that would put them out of order, and where every side was seen.
-SwingEvents events_put_right(const SwingEvents& found, const SwingEvents& coach, const Alignment& alignment,
-                             const JointTrack& student, Viewpoint view);
+// The events of somebody seen by one camera, put right: the top, which trembling hands blur, as the middle of
+// their turn over a longer time, and every habit taken off. From an angle the whole body knows better than
+// the hands where the top is: `answered_top_s` is where the alignment answers the other's. Unchanged where
+// that would put them out of order, and where every side was seen.
+SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, Viewpoint view,
+                             const Sight& sight, double pace, std::optional<double> answered_top_s = {});
 
 }  // namespace posecoach

@@ -61,7 +61,8 @@ double Stroke::turned(const JointTrack& moment, HumanoidJoint left, HumanoidJoin
 }
 
 MetricSheet::MetricSheet(const ComparedSwings& swings)
-    : view_(swings.view),
+    : view_(swings.views.student),
+      coach_view_(swings.views.coach),
       student_(swings.student, swings.student_events),
       coach_(swings.coach, swings.coach_events) {}
 
@@ -87,6 +88,14 @@ void MetricSheet::add(const MetricRule& rule, const JointTrack& seen,
   }
   enter(std::move(metric), measure);
   metrics_.back().value -= usual_error;
+  if (!is_one_camera(coach_view_)) return;
+  const auto coach_habit =
+      coach_.events.kind == StrokeKind::FullSwing ? metric_habit(coach_view_, rule.name) : std::nullopt;
+  std::optional<double>& coach = metrics_.back().coach;
+  if (!hidden_by(rule.needs, coach_view_).empty())
+    coach.reset();
+  else if (coach_habit)
+    *coach -= coach_habit->usual_error;
 }
 
 void MetricSheet::add_time(std::string_view name, double relative_uncertainty, const Measure& measure) {

@@ -65,7 +65,7 @@ class MetricSheet {
  private:
   void enter(Metric metric, const Measure& measure);
 
-  Viewpoint view_;
+  Viewpoint view_, coach_view_;
   Stroke student_, coach_;
   std::vector<Metric> metrics_;
 };

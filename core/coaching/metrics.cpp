@@ -70,7 +70,7 @@ void add_posture(MetricSheet& sheet) {
 std::vector<Metric> measure_swing(const ComparedSwings& swings) {
   MetricSheet sheet(swings);
   const auto off_s = [&](std::string_view event) {
-    return event_uncertainty_s(swings.student, swings.view, swings.student_events.kind, event,
+    return event_uncertainty_s(swings.student, swings.views.student, swings.student_events.kind, event,
                                pace_of(swings.student_events, swings.coach_events));
   };
   add_times(sheet, {off_s("takeaway"), off_s("top"), off_s("impact")});

@@ -86,7 +86,7 @@ std::vector<PoseMatch> match_poses(const ComparedSwings& swings, const Alignment
   const double student_start = swings.student_events.takeaway_s, coach_start = swings.coach_events.takeaway_s;
   const double pace = pace_of(swings.student_events, swings.coach_events);
   const auto off_s = [&](std::string_view event) {
-    return event_uncertainty_s(swings.student, swings.view, swings.student_events.kind, event,
+    return event_uncertainty_s(swings.student, swings.views.student, swings.student_events.kind, event,
                                pace_of(swings.student_events, swings.coach_events));
   };
   const double clear = std::max(pace * kClear_s, kClearSigmas * std::hypot(off_s("takeaway"), off_s("top")));
@@ -94,7 +94,7 @@ std::vector<PoseMatch> match_poses(const ComparedSwings& swings, const Alignment
   // is not known well enough.
   const auto is_clear = [&](const SwingEvent& event, double late_s) {
     const bool is_end = event.name == "address" || event.name == "finish" || event.name == "end";
-    if (is_one_camera(swings.view) && is_end) return false;
+    if (is_one_camera(swings.views) && is_end) return false;
     const double own_s =
         swings.student_events.time_of(event.name) - student_start - pace * (event.time_s - coach_start);
     return std::abs(late_s) >= clear && std::abs(own_s) >= clear && own_s * late_s > 0;

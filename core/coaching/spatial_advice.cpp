@@ -127,7 +127,7 @@ bool is_length(const FeatureRule& rule) {
 double size_of(const PartDifference& difference, const FeatureRule& rule, const ComparedSwings& swings,
                const BodyAxes& axes) {
   // Of a film, the amount was put right and the offset was not.
-  const bool is_place = rule.direction == Direction::Any && is_length(rule) && !is_one_camera(swings.view);
+  const bool is_place = rule.direction == Direction::Any && is_length(rule) && !is_one_camera(swings.views);
   if (!is_place) return std::abs(difference.amount);
   const Vec3& o = difference.offset;
   return glm::length(swings.sight.seen(o.x * axes.left + o.y * axes.up + o.z * axes.front));
@@ -140,7 +140,7 @@ std::vector<PartDifference> differences_at(const ComparedSwings& swings, std::st
       part_differences(moment_of(swings.student, swings.student_events.time_of(event)),
                        moment_of(swings.coach, swings.coach_events.time_of(event)), axes,
                        {anchor, is_putt ? HeadOver::Feet : HeadOver::Shoulders,
-                        is_one_camera(swings.view) ? ArmAxes::World : ArmAxes::Chest});
+                        is_one_camera(swings.views) ? ArmAxes::World : ArmAxes::Chest});
   // With the club at the ball, as all through a putt, a body's own reach bends his arms, and the coach's in
   // that body likewise.
   if (swings.coach_himself == nullptr || is_putt || event == "address" || event == "impact")
@@ -169,7 +169,7 @@ void put_right(std::vector<PartDifference>& differences, const ComparedSwings& s
   for (std::size_t k = 0; k < differences.size(); ++k) {
     PartDifference& difference = differences[k];
     const FeatureRule& rule = kRules[static_cast<std::size_t>(difference.feature)];
-    const auto habit = feature_habit(swings.view, swings.student_events.kind, event, difference.feature);
+    const auto habit = feature_habit(swings.views, swings.student_events.kind, event, difference.feature);
     const double seen = difference.amount - before[k].amount, unit = is_length(rule) ? size : 1;
     const double right = habit ? unit * habit->truth_from(seen / unit) : seen;
     difference.offset -= before[k].offset;
@@ -185,8 +185,8 @@ void put_right(std::vector<PartDifference>& differences, const ComparedSwings& s
 double clear_amount(const FeatureRule& rule, const ComparedSwings& swings, std::string_view event,
                     double size) {
   const double unit = is_length(rule) ? size : 1;
-  if (!is_one_camera(swings.view)) return unit * rule.clear;
-  const auto habit = feature_habit(swings.view, swings.student_events.kind, event, rule.feature);
+  if (!is_one_camera(swings.views)) return unit * rule.clear;
+  const auto habit = feature_habit(swings.views, swings.student_events.kind, event, rule.feature);
   return habit ? unit * habit->clear : 0;
 }
 
@@ -194,12 +194,13 @@ std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_v
                                      const BodyAxes& axes, Anchor anchor, double size) {
   const bool is_putt = swings.student_events.kind == StrokeKind::Putt;
   std::vector<PartDifference> differences = differences_at(swings, event, axes, anchor);
-  if (is_one_camera(swings.view)) put_right(differences, swings, event, axes, anchor, size);
+  if (is_one_camera(swings.views)) put_right(differences, swings, event, axes, anchor, size);
   std::vector<Candidate> found;
   for (const PartDifference& difference : differences) {
     const FeatureRule& rule = kRules[static_cast<std::size_t>(difference.feature)];
     const double clear = clear_amount(rule, swings, event, size);
-    const double least_confidence = is_one_camera(swings.view) ? kLeastConfidenceOneCamera : kLeastConfidence;
+    const double least_confidence =
+        is_one_camera(swings.views) ? kLeastConfidenceOneCamera : kLeastConfidence;
     if (clear <= 0 || difference.confidence < least_confidence) continue;
     // In a full swing the wrists hinge and release; over a putt they are quiet.
     if (rule.feature == Feature::LeadWristBreak && !is_putt) continue;
@@ -208,9 +209,9 @@ std::vector<Candidate> candidates_at(const ComparedSwings& swings, std::string_v
     candidate.severity = size_of(difference, rule, swings, axes) / clear;
     const bool is_arm_bend = rule.feature == Feature::LeadArmBend || rule.feature == Feature::TrailArmBend;
     if (is_arm_bend && difference.amount < 0) candidate.severity /= kStraighterArmFactor;
-    if (is_putt && !is_one_camera(swings.view)) candidate.severity /= kPuttFactor;
+    if (is_putt && !is_one_camera(swings.views)) candidate.severity /= kPuttFactor;
     candidate.severity *= swings.strictness.of(judged_part(rule.group));
-    if (!is_one_camera(swings.view) && (event == "finish" || event == "end"))
+    if (!is_one_camera(swings.views) && (event == "finish" || event == "end"))
       candidate.severity *= kFinishWeight;
     candidate.rank = candidate.severity * std::sqrt(difference.share + 0.02);
     if (!known_fault(rule.feature, difference.amount, event, swings.student_events.kind).empty())
@@ -297,7 +298,7 @@ SpatialAdvice to_advice(const Candidate& candidate, const ComparedSwings& swings
   advice.amount = candidate.difference.amount;
   advice.fault =
       known_fault(candidate.difference.feature, advice.amount, candidate.event, swings.student_events.kind);
-  advice.advice = text::spatial(candidate.difference, candidate.event, advice.fault, swings.view);
+  advice.advice = text::spatial(candidate.difference, candidate.event, advice.fault, swings.views.student);
   return advice;
 }
 

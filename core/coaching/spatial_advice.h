@@ -18,8 +18,8 @@ struct ComparedSwings {
   const SwingEvents& student_events;
   const JointTrack& coach;
   const SwingEvents& coach_events;
-  Viewpoint view = Viewpoint::AllSides;
-  Sight sight = {};
+  Viewpoints views = {};
+  Sight sight = {};  // of the student's camera
   Strictness strictness = {};
   // The coach in his own body, at the same times: how far his arms are bent away from the ball, which closing
   // the grip in another body changes. None: `coach` tells that, too.

@@ -69,15 +69,17 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
   };
   result.pace = pace_of(student, coach);
   result.in_proportion = result.pace != 1;
-  const double coach_off_s = event_uncertainty_s(swings.coach, Viewpoint::AllSides, coach.kind, {});
   const std::span<const Phase> phases =
       student.kind == StrokeKind::Putt ? std::span<const Phase>(kPutt) : kFullSwing;
   for (const Phase& phase : phases) {
     // A webcam's hands settle late, and some motions end before they do.
-    const bool is_end_known = student.is_end_seen && coach.is_end_seen && !is_one_camera(swings.view);
+    const bool is_end_known = student.is_end_seen && coach.is_end_seen && !is_one_camera(swings.views);
     if (phase.first == "impact" && !is_end_known) continue;
     const auto off_s = [&](std::string_view event) {
-      return event_uncertainty_s(swings.student, swings.view, student.kind, event, result.pace);
+      return event_uncertainty_s(swings.student, swings.views.student, student.kind, event, result.pace);
+    };
+    const auto coach_off_s = [&](std::string_view event) {
+      return event_uncertainty_s(swings.coach, swings.views.coach, coach.kind, event);
     };
     TimingAdvice advice;
     advice.from = phase.first;
@@ -87,12 +89,13 @@ TimingResult find_timing_advice(const ComparedSwings& swings, const Alignment& a
     if (advice.student_s <= 0 || advice.coach_s <= 0) continue;
     advice.ratio = advice.student_s / advice.coach_s;
     advice.plus_minus =
-        advice.ratio * std::hypot(std::hypot(off_s(phase.first), off_s(phase.second)) / advice.student_s,
-                                  std::sqrt(2.0) * coach_off_s / advice.coach_s);
+        advice.ratio *
+        std::hypot(std::hypot(off_s(phase.first), off_s(phase.second)) / advice.student_s,
+                   std::hypot(coach_off_s(phase.first), coach_off_s(phase.second)) / advice.coach_s);
     const double along_path = alignment.student_time(coach.time_of(phase.second)) -
                               alignment.student_time(coach.time_of(phase.first));
     advice.path_ratio = along_path / advice.coach_s;
-    const auto habit = phase_habit(swings.view, student.kind, phase.first, phase.second);
+    const auto habit = phase_habit(swings.views, student.kind, phase.first, phase.second);
     if (habit) put_right(advice, *habit, result.pace);
     const double relative = advice.ratio / result.pace, relative_on_path = advice.path_ratio / result.pace;
     const double clear = std::max(kClearRatio, kClearSigmas * advice.plus_minus / advice.ratio);

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body/landmark_body.h"
 #include "core/coaching/body_axes.h"
 #include "core/coaching/compare.h"
 #include "core/coaching/posture.h"
 #include "core/coaching/text/advice_text.h"
+#include "core/pipeline/placing.h"
+#include "core/retarget/doubt.h"
 
 namespace posecoach {
 namespace {
@@ -59,11 +62,65 @@ void count_in_film_frames(Analysis& analysis, const StudentInput& student) {
   analysis.student.joints = student.joints;
 }
 
+// Of a coach who was filmed himself: what lift() made of his film says from where, since its camera stands
+// towards +Z.
+struct Seen {
+  Viewpoint view = Viewpoint::AllSides;
+  Sight sight;
+};
+
+Seen seen_from(const Motion& coach) {
+  if (!is_landmark_body(coach.skeleton()) || !is_seen_by_camera(coach)) return {};
+  const Vec3 to_camera(0, 0, 1);
+  Seen seen{Viewpoint::Between, {-to_camera}};
+  const Result<JointTrack> track = JointTrack::from_motion(coach);
+  if (!track) return seen;
+  const Result<SwingEvents> events = find_swing_events(*track, {{}, seen.sight});
+  if (!events) return seen;
+  Vec3 front(0);
+  const double address_s = events->time_of("address");
+  for (int frame = track->nearest_frame(address_s - kAddress_s); frame <= track->nearest_frame(address_s);
+       ++frame)
+    front += facing_in(coach, frame);
+  if (is_square(front, to_camera)) seen.view = viewpoint_of(view_from(front, to_camera));
+  return seen;
+}
+
 // A coach who has the student's body already is compared as he is: nothing is carried over, so nothing needs
 // mending.
 Result<RetargetResult> in_body(const Motion& coach, const Skeleton& body, const RetargetOptions& options) {
   if (coach.skeleton() == body) return RetargetResult{coach, bone_length_error(coach), {}, {}};
   return retarget(coach, body, options);
+}
+
+// As geometry puts it on `body`, with the pose model's errors in it and nothing mended: what was filmed from
+// one side alike is wrong alike.
+Result<Motion> as_filmed(const Motion& motion, const Skeleton& body) {
+  Result<RetargetResult> carried = retarget(motion, body, {RetargetMethod::Rotation, Contacts::Off});
+  if (!carried) return tl::unexpected(carried.error());
+  std::vector<Vec3> positions;
+  std::vector<double> confidence;
+  for (int frame = 0; frame < motion.frame_count(); ++frame)
+    for (int joint = 0; joint < body.size(); ++joint) {
+      positions.push_back(carried->motion.position(frame, joint));
+      confidence.push_back(motion.confidence(frame, joint));
+    }
+  return Motion::from_positions(body, {motion.times().begin(), motion.times().end()}, std::move(positions),
+                                std::move(confidence));
+}
+
+struct Pair {
+  Motion student, coach;
+};
+
+Result<Pair> pair_to_compare(const StudentInput& student, const Motion& coach, const Seen& seen,
+                             const Motion& personal) {
+  if (!is_filmed_alike({student.view, seen.view})) return Pair{student.motion, personal};
+  Result<Motion> his = as_filmed(student.motion, student.body);
+  if (!his) return tl::unexpected(his.error());
+  Result<Motion> coachs = as_filmed(coach, personal.skeleton());
+  if (!coachs) return tl::unexpected(coachs.error());
+  return Pair{*std::move(his), *std::move(coachs)};
 }
 
 }  // namespace
@@ -110,15 +167,19 @@ Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coac
   const bool is_left = hand == Handedness::Left;
   const Motion right_coach =
       hand_of(coach.motion) == Handedness::Left ? mirrored(coach.motion) : coach.motion;
+  const Seen seen = seen_from(right_coach);
   const Result<RetargetResult> personal =
       in_body(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
   if (!personal) return fail(personal.error().code, coach.source + ": " + personal.error().message);
   std::vector<MovedEvent> moved = options.moved_events;
   for (MovedEvent& event : moved) event.frame -= student.first_frame;
-  Result<Analysis> analysis = compare(student.motion, personal->motion,
+  const Result<Pair> pair = pair_to_compare(student, right_coach, seen, personal->motion);
+  if (!pair) return fail(pair.error().code, coach.source + ": " + pair.error().message);
+  Result<Analysis> analysis = compare(pair->student, pair->coach,
                                       {.hand = hand,
-                                       .view = student.view,
+                                       .views = {student.view, seen.view},
                                        .sight = student.sight,
+                                       .coach_sight = seen.sight,
                                        .strictness = options.strictness,
                                        .coach_himself = &right_coach,
                                        .moved_events = std::move(moved),

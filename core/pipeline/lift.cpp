@@ -19,10 +19,6 @@ constexpr std::size_t kFewestFrames = 3;
 // A golfer shifts his weight within a second or two; the model's sense of size wavers faster than that.
 constexpr double kDepthSmoothing_s = 0.5;
 
-// Simulated golfers before a square camera were seen within 8 degrees of it, before one 20 degrees off at 11
-// or more.
-constexpr double kSquare_deg = 12;
-
 // The frames in which somebody is seen.
 struct Sightings {
   std::vector<std::size_t> frames;  // of the track
@@ -169,18 +165,11 @@ struct Side {
 };
 
 Side side_of(const Motion& motion, const PinholeCamera& camera, std::span<const std::size_t> still) {
-  const Skeleton& body = motion.skeleton();
-  const auto at = [&](int frame, HumanoidJoint role) { return motion.position(frame, body.find(role)); };
   Vec3 facing(0);
-  for (const std::size_t i : still) {
-    const int frame = static_cast<int>(i);
-    const Vec3 across = at(frame, HumanoidJoint::LeftHip) - at(frame, HumanoidJoint::RightHip) +
-                        at(frame, HumanoidJoint::LeftShoulder) - at(frame, HumanoidJoint::RightShoulder);
-    const Vec3 front = glm::cross(across, Vec3(0, 1, 0));
-    if (glm::length(front) > 1e-9) facing += glm::normalize(front);
-  }
-  const Vec3 to_camera = camera.position() - at(static_cast<int>(still[0]), HumanoidJoint::Pelvis);
-  return {view_from(facing, to_camera), off_square_deg(facing, to_camera) < kSquare_deg};
+  for (const std::size_t i : still) facing += facing_in(motion, static_cast<int>(i));
+  const Vec3 pelvis = motion.position(static_cast<int>(still[0]), 0);
+  const Vec3 to_camera = camera.position() - pelvis;
+  return {view_from(facing, to_camera), is_square(facing, to_camera)};
 }
 
 }  // namespace

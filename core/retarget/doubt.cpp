@@ -30,8 +30,9 @@ double bone_error(const Motion& motion, int frame, const std::vector<int>& bones
   return weight > 0 ? error / weight : 0;
 }
 
-// A camera's network is never quite sure of a joint; a capture system has seen it or has not.
-bool is_guessed(const Motion& motion) {
+}  // namespace
+
+bool is_seen_by_camera(const Motion& motion) {
   std::size_t guessed = 0;
   for (int frame = 0; frame < motion.frame_count(); ++frame)
     for (int j = 0; j < motion.joint_count(); ++j) {
@@ -41,11 +42,9 @@ bool is_guessed(const Motion& motion) {
   return 2 * guessed > index(motion.frame_count()) * index(motion.joint_count());
 }
 
-}  // namespace
-
 std::vector<double> doubts(const Motion& motion) {
   std::vector<double> doubt(index(motion.frame_count()), 0);
-  if (!is_guessed(motion)) return doubt;
+  if (!is_seen_by_camera(motion)) return doubt;
   std::vector<int> bones;
   for (int j = 1; j < motion.joint_count(); ++j)
     if (motion.skeleton().joint(j).role && motion.skeleton().bone_length(j) > 0.02) bones.push_back(j);

@@ -10,6 +10,10 @@
 
 namespace posecoach {
 
+// Whether joints were guessed from pictures: a camera's network is never quite sure of one, a capture system
+// has seen it or has not.
+bool is_seen_by_camera(const Motion& motion);
+
 // One number a frame in [0, 1]: 0 below 0.5 % of bone length error (mean of the bones, smoothed over half a
 // second), 1 above 2.5 %; 0 throughout for motions that no camera saw.
 std::vector<double> doubts(const Motion& motion);

@@ -30,6 +30,11 @@ std::string seen_from(Viewpoint view) {
          "camera for more.";
 }
 
+std::string coach_seen_elsewhere() {
+  return "The coach was filmed from another side: only the timing is judged; film yourself from his side for "
+         "more.";
+}
+
 std::string out_of_reach(double metres) {
   return filled("The coach's grip is up to {size} out of reach of your arms; there the drawn hands are open.",
                 {{"size", centimetres(metres)}});

@@ -235,11 +235,11 @@ TEST(Compare, one_camera_greys_what_it_cannot_see_with_the_reason) {
     return *std::find_if(analysis.metrics.begin(), analysis.metrics.end(),
                          [&](const Metric& m) { return m.name == name; });
   };
-  const Analysis face_on = analyzed(coach, coach, {.view = Viewpoint::FaceOn});
+  const Analysis face_on = analyzed(coach, coach, {.views = {Viewpoint::FaceOn}});
   EXPECT_FALSE(find(face_on, "thrust_impact_cm").available);
   EXPECT_NE(find(face_on, "thrust_impact_cm").reason.find("face-on"), std::string::npos);
   EXPECT_TRUE(find(face_on, "sway_top_cm").available);
-  const Analysis down_the_line = analyzed(coach, coach, {.view = Viewpoint::DownTheLine});
+  const Analysis down_the_line = analyzed(coach, coach, {.views = {Viewpoint::DownTheLine}});
   EXPECT_FALSE(find(down_the_line, "sway_top_cm").available);
   EXPECT_TRUE(find(down_the_line, "thrust_impact_cm").available);
 }

@@ -1,6 +1,7 @@
 // Every fault that the authored strokes know, through true joints: it must be told first, by its own name.
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "core/coaching/compare.h"
@@ -17,6 +18,10 @@ struct Expected {
   std::vector<std::string> words;
   std::string moment;
 };
+
+void PrintTo(const Expected& one, std::ostream* out) {
+  *out << one.fault;
+}
 
 const std::vector<Expected>& expected_advice() {
   static const std::vector<Expected> all = {

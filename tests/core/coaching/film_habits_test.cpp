@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/coaching/alignment.h"
 #include "core/coaching/compare.h"
 #include "core/coaching/film_error.h"
 #include "tests/core/coaching/strokes.h"
@@ -44,6 +45,36 @@ TEST(FilmHabits, from_an_angle_offer_only_what_both_sides_do) {
   EXPECT_EQ(offered(Viewpoint::DownTheLine, StrokeKind::Putt), 0);
 }
 
+TEST(FilmHabits, cancel_between_two_films_from_one_side_and_tell_nothing_between_two_sides) {
+  const auto habit = [](Viewpoint student, Viewpoint coach) {
+    return feature_habit(Viewpoints{student, coach}, StrokeKind::FullSwing, "top", Feature::ShoulderTilt);
+  };
+  const auto exact = habit(Viewpoint::FaceOn, Viewpoint::AllSides);
+  const auto alike = habit(Viewpoint::DownTheLine, Viewpoint::DownTheLine);
+  const auto of_line = habit(Viewpoint::DownTheLine, Viewpoint::AllSides);
+  EXPECT_FALSE(exact);
+  ASSERT_TRUE(alike && of_line);
+  EXPECT_NE(of_line->usual_error, 0);
+  EXPECT_EQ(alike->usual_error, 0);
+  EXPECT_GT(alike->clear, of_line->clear);
+  EXPECT_FALSE(habit(Viewpoint::FaceOn, Viewpoint::DownTheLine));
+  EXPECT_FALSE(habit(Viewpoint::DownTheLine, Viewpoint::FaceOn));
+  const auto other_way = habit(Viewpoint::AllSides, Viewpoint::DownTheLine);
+  ASSERT_TRUE(other_way);
+  EXPECT_EQ(other_way->usual_error, -of_line->usual_error);
+}
+
+TEST(FilmHabits, of_time_cancel_between_two_films_from_one_side) {
+  const auto habit = [](Viewpoint student, Viewpoint coach) {
+    return phase_habit({student, coach}, StrokeKind::FullSwing, "top", "impact");
+  };
+  const double of_film = habit(Viewpoint::FaceOn, Viewpoint::AllSides)->usual_error;
+  EXPECT_NE(of_film, 0);
+  EXPECT_NEAR(habit(Viewpoint::FaceOn, Viewpoint::FaceOn)->usual_error, 0, 1e-12);
+  EXPECT_NEAR((1 + habit(Viewpoint::AllSides, Viewpoint::FaceOn)->usual_error) * (1 + of_film), 1, 1e-12);
+  EXPECT_FALSE(habit(Viewpoint::AllSides, Viewpoint::AllSides));
+}
+
 TEST(FilmHabits, are_taken_off_what_is_seen) {
   const FeatureHabit habit{0.02, 0.5, 0.05};
   EXPECT_NEAR(habit.truth_from(0.02), 0, 1e-12);
@@ -54,6 +85,8 @@ struct Film {
   JointTrack student, coach;
   SwingEvents student_events, coach_events;
   Alignment alignment;
+
+  double answered_top_s() const { return alignment.student_time(coach_events.time_of("top")); }
 };
 
 Film film_of(double hold_top_s) {
@@ -71,8 +104,7 @@ Film film_of(double hold_top_s) {
 
 TEST(FilmHabits, leave_events_alone_that_were_seen_from_all_sides) {
   const Film film = film_of(0);
-  const SwingEvents right = events_put_right(film.student_events, film.coach_events, film.alignment,
-                                             film.student, Viewpoint::AllSides);
+  const SwingEvents right = events_put_right(film.student_events, film.student, Viewpoint::AllSides, {}, 1);
   for (std::size_t k = 0; k < right.events.size(); ++k)
     EXPECT_EQ(right.events[k].time_s, film.student_events.events[k].time_s);
 }
@@ -81,7 +113,7 @@ TEST(FilmHabits, move_events_by_little_and_keep_them_in_order) {
   const Film film = film_of(0);
   for (const Viewpoint view : {Viewpoint::FaceOn, Viewpoint::DownTheLine, Viewpoint::Between}) {
     const SwingEvents right =
-        events_put_right(film.student_events, film.coach_events, film.alignment, film.student, view);
+        events_put_right(film.student_events, film.student, view, {}, 1, film.answered_top_s());
     EXPECT_GE(right.takeaway_s, 0);
     for (std::size_t k = 0; k < right.events.size(); ++k) {
       EXPECT_NEAR(right.events[k].time_s, film.student_events.events[k].time_s, 0.1) << right.events[k].name;
@@ -95,8 +127,8 @@ TEST(FilmHabits, move_events_by_little_and_keep_them_in_order) {
 
 TEST(FilmHabits, do_not_move_the_top_of_a_film_down_the_line_to_where_the_coachs_would_be) {
   const Film film = film_of(1.5);
-  const SwingEvents right = events_put_right(film.student_events, film.coach_events, film.alignment,
-                                             film.student, Viewpoint::DownTheLine);
+  const SwingEvents right = events_put_right(film.student_events, film.student, Viewpoint::DownTheLine, {}, 1,
+                                             film.answered_top_s());
   EXPECT_NEAR(right.time_of("top"), film.student_events.time_of("top"), 0.05);
 }
 
@@ -104,7 +136,7 @@ TEST(FilmHabits, the_same_swing_seen_from_twenty_degrees_off_scores_within_three
   const Motion coach = make_stroke().motion;
   const Motion student = make_stroke({.frames_per_second = 30, .body = {.height_m = 1.80}}).motion;
   CompareOptions options;
-  options.view = Viewpoint::FaceOn;
+  options.views.student = Viewpoint::FaceOn;
   const auto score_from = [&](double degrees) {
     const double angle = radians_from_degrees(degrees);
     options.sight.direction = Vec3(std::sin(angle), 0, std::cos(angle));

@@ -60,7 +60,7 @@ TEST(Metrics, of_the_bundled_strokes_lie_in_good_golfers_ranges) {
 TEST(Metrics, each_has_a_definition_and_an_uncertainty_or_a_reason) {
   for (const Viewpoint view : {Viewpoint::AllSides, Viewpoint::FaceOn, Viewpoint::DownTheLine})
     for (const char* name : {"swing", "putt"})
-      for (const Metric& m : analyzed(sound(name, 60), sound(name), {.view = view}).metrics) {
+      for (const Metric& m : analyzed(sound(name, 60), sound(name), {.views = {view}}).metrics) {
         EXPECT_FALSE(m.definition.empty()) << m.name;
         EXPECT_NE(m.available, !m.reason.empty()) << m.name;
         if (m.available && m.words.empty()) {
@@ -114,7 +114,7 @@ TEST(KinematicSequence, is_not_told_from_frames_that_are_further_apart_than_the_
 }
 
 TEST(KinematicSequence, is_never_told_from_one_camera) {
-  const Analysis analysis = analyzed(sound("swing", 240), sound("swing"), {.view = Viewpoint::FaceOn});
+  const Analysis analysis = analyzed(sound("swing", 240), sound("swing"), {.views = {Viewpoint::FaceOn}});
   EXPECT_FALSE(metric(analysis, "kinematic_sequence").available);
 }
 

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "core/body/standard_body.h"
 #include "core/coaching/compare.h"
+#include "core/coaching/text/advice_text.h"
 #include "core/motion/authored/golf_fault.h"
 #include "core/motion/bundled_motion.h"
+#include "tests/core/pipeline/bodies.h"
+#include "tests/core/pipeline/filmed.h"
 
 namespace posecoach {
 namespace {
@@ -158,6 +162,47 @@ TEST(Analyze, names_a_fault_on_a_body_that_is_not_the_coachs) {
   const Analysis analysis = analyzed(student, swing_on({.height_m = 1.8}, 120)).analysis;
   EXPECT_NE(analysis.advice[0].text.find("At the top, your hips"), std::string::npos)
       << analysis.advice[0].text;
+}
+
+// A pose model that is wrong as real ones are: alike for everybody, and by how far or near a joint is.
+PoseTrack with_habits(PoseTrack track) {
+  for (PoseObservation& frame : track.frames)
+    for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+      const double depth = frame.person->world[i].position_m.z;
+      frame.person->image[i].position_px += depth * Vec2(70, -60);
+      frame.person->world[i].position_m += depth * Vec3(0.25, -0.2, 0.4);
+    }
+  return track;
+}
+
+StudentInput filmed_student(const PoseTrack& track) {
+  return student_from_film("film", track, lift(track).value());
+}
+
+TEST(Analyze, does_not_tell_a_golfer_what_the_camera_got_wrong_of_him_and_of_his_filmed_coach) {
+  const Vec3 face_on(0, 1.1, 4);
+  const StudentInput student =
+                         filmed_student(with_habits(film(test_landmark_body(0.9), face_on, 45, {}).track)),
+                     coach =
+                         filmed_student(with_habits(film(test_landmark_body(1.1), face_on, 45, {}).track));
+  ASSERT_EQ(student.view, Viewpoint::FaceOn);
+  const Analysis against_film = analyze(student, {"coach's film", coach.motion}).value().analysis;
+  EXPECT_EQ(against_film.advice[0].kind, AdviceKind::None) << against_film.advice[0].text;
+  EXPECT_GT(against_film.score.percent, 97);
+  // The errors are there.
+  const Analysis against_truth =
+      analyze(student, {"coach", resample(*bundled_motion("swing"), 30)}).value().analysis;
+  EXPECT_GT(against_truth.score.mean_joint_error_m, 3 * against_film.score.mean_joint_error_m);
+}
+
+TEST(Analyze, judges_only_the_timing_of_a_coach_who_was_filmed_from_another_side) {
+  const StudentInput student = filmed_student(film(test_landmark_body(0.9), {0, 1.1, 4}, 45, {}).track),
+                     coach = filmed_student(film(test_landmark_body(1.1), {-4, 1.1, 0.2}, 45, {}).track);
+  ASSERT_EQ(coach.view, Viewpoint::DownTheLine);
+  const Analysis analysis = analyze(student, {"coach's film", coach.motion}).value().analysis;
+  EXPECT_TRUE(analysis.spatial.empty());
+  EXPECT_NE(std::find(analysis.notes.begin(), analysis.notes.end(), text::coach_seen_elsewhere()),
+            analysis.notes.end());
 }
 
 TEST(Analyze, tells_whose_joints_are_missing) {

@@ -5,6 +5,7 @@
 #include "core/body/standard_body.h"
 #include "core/motion/bundled_motion.h"
 #include "core/retarget/doubt.h"
+#include "core/retarget/grip.h"
 #include "core/retarget/retarget.h"
 #include "core/retarget/streamed.h"
 #include "core/retarget/webcam_noise.h"
@@ -36,6 +37,41 @@ TEST(Doubt, leaves_exact_motions_alone_and_sees_what_a_webcam_did) {
   for (const Motion& motion : {clean, without_rotations(clean)})
     for (const double doubt : doubts(motion)) EXPECT_EQ(doubt, 0);
   for (const double doubt : doubts(filmed_swing(2))) EXPECT_EQ(doubt, 1);
+}
+
+// Skin slides over bones, and some markers are lost at times.
+TEST(Doubt, leaves_markers_alone_that_change_their_distances) {
+  const Motion clean = resample(*bundled_motion("swing"), 120);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> slide(0, 0.03);
+  std::vector<Vec3> positions;
+  std::vector<double> confidence;
+  for (int f = 0; f < clean.frame_count(); ++f)
+    for (int j = 0; j < clean.joint_count(); ++j) {
+      positions.push_back(clean.position(f, j) + Vec3(slide(random), slide(random), slide(random)));
+      confidence.push_back(f % 10 == 0 && j % 3 == 0 ? 0.5 : 1);
+    }
+  const Motion markers = *Motion::from_positions(
+      clean.skeleton(), {clean.times().begin(), clean.times().end()}, positions, confidence);
+  EXPECT_FALSE(is_seen_by_camera(markers));
+  EXPECT_TRUE(is_seen_by_camera(filmed_swing(2)));
+  for (const double doubt : doubts(markers)) EXPECT_EQ(doubt, 0);
+}
+
+TEST(Network, keeps_the_hands_of_a_filmed_coach_on_the_club) {
+  const Motion coach = filmed_swing(4);
+  const Skeleton body = make_standard_body({.height_m = 1.7});
+  const auto student = retarget(coach, body, {RetargetMethod::Network, Contacts::On});
+  ASSERT_TRUE(student);
+  const auto apart = [](const Motion& motion, int frame) {
+    return glm::length(wrist_relation(motion.skeleton(), motion.positions(frame)));
+  };
+  double widest_seen = 0;
+  for (int f = 0; f < coach.frame_count(); ++f) {
+    widest_seen = std::max(widest_seen, apart(coach, f));
+    EXPECT_LT(apart(student->motion, f), 0.12) << f;
+  }
+  EXPECT_GT(widest_seen, 0.2);
 }
 
 TEST(Network, is_geometry_but_for_the_stride_where_there_is_nothing_to_doubt) {
