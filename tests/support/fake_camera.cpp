@@ -65,6 +65,28 @@ void FakeCamera::then_forever(std::vector<std::uint8_t> bytes) {
   const std::scoped_lock lock(mutex_);
   forever_ = std::move(bytes);
 }
+void FakeCamera::look_with(Sensor sensor) {
+  const std::scoped_lock lock(mutex_);
+  sensor_ = std::move(sensor);
+}
+
+// Everything that the sensor has seen since it was asked last.
+void FakeCamera::expose() {
+  if (!sensor_ || !is_streaming_) return;
+  const Duration now = sensor_->clock();
+  if (!sensor_began_) sensor_began_ = now;
+  while (taken_ < sensor_->pictures.size() &&
+         *sensor_began_ + static_cast<std::int64_t>(taken_) * sensor_->interval <= now) {
+    const std::size_t number = taken_++;
+    if (exposed_.size() < queued_.size())
+      exposed_.push_back({Kind::Picture, std::move(sensor_->pictures[number]),
+                          static_cast<std::uint32_t>(number),
+                          std::chrono::steady_clock::now().time_since_epoch()});
+    else
+      ++lost_;
+  }
+}
+
 void FakeCamera::unplug() {
   const std::scoped_lock lock(mutex_);
   is_gone_ = true;
@@ -100,6 +122,10 @@ int FakeCamera::started() const {
 std::size_t FakeCamera::steps_left() const {
   const std::scoped_lock lock(mutex_);
   return steps_.size();
+}
+std::size_t FakeCamera::pictures_lost() const {
+  const std::scoped_lock lock(mutex_);
+  return lost_;
 }
 ChosenMode FakeCamera::agreed() const {
   const std::scoped_lock lock(mutex_);
@@ -172,8 +198,11 @@ int FakeCamera::poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
       descriptors->revents = POLLERR;
       return 1;
     }
+    expose();
     if (!steps_.empty())
       kind = steps_.front().kind;
+    else if (sensor_ && !exposed_.empty())
+      kind = Kind::Picture;
     else if (forever_)
       kind = Kind::Picture;
     const bool ends_here =
@@ -199,7 +228,7 @@ int FakeCamera::poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
       return 1;
     default:
       descriptors->revents = POLLIN;
-      if (steps_left() == 0) wait();  // the pace of an endless camera
+      if (steps_left() == 0 && !sensor_) wait();  // the pace of an endless camera
       return 1;
   }
 }
@@ -387,13 +416,18 @@ int FakeCamera::dequeue_buffer(void* argument) {
     steps_.pop_front();
     return EAGAIN;
   }
+  expose();
+  const bool has_exposed = steps_.empty() && !exposed_.empty();
   const bool has_step = !steps_.empty();
   if (has_step && steps_.front().kind != Kind::Picture && steps_.front().kind != Kind::Flagged) return EAGAIN;
-  if ((!has_step && !forever_) || queued_.empty()) return EAGAIN;
+  if ((!has_step && !has_exposed && !forever_) || queued_.empty()) return EAGAIN;
   Step step;
   if (has_step) {
     step = std::move(steps_.front());
     steps_.pop_front();
+  } else if (has_exposed) {
+    step = std::move(exposed_.front());
+    exposed_.pop_front();
   } else {
     step = {Kind::Picture, *forever_, next_sequence_, std::chrono::steady_clock::now().time_since_epoch()};
   }

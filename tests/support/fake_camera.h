@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -53,6 +54,14 @@ class FakeCamera : public V4l2SystemCalls {
     bool stamps_are_monotonic = true;
   };
 
+  // A sensor that does not wait: each picture is there at its time, once, and goes into a buffer that the
+  // program has queued. Where there is none it is lost, and its number is missing.
+  struct Sensor {
+    std::vector<std::vector<std::uint8_t>> pictures;
+    Duration interval{};
+    std::function<Duration()> clock;  // since any moment; the first picture comes at once
+  };
+
   explicit FakeCamera(std::filesystem::path path, Habits habits);
   ~FakeCamera() override;
 
@@ -60,6 +69,8 @@ class FakeCamera : public V4l2SystemCalls {
   void then(Step::Kind kind) { then(Step{kind, {}, 0, {}}); }
   // After the script: one picture after another, or nothing (the default).
   void then_forever(std::vector<std::uint8_t> bytes);
+  // Instead of a script.
+  void look_with(Sensor sensor);
   // The device is there again, under another node; links in the file system decide what opens it.
   void plug_in_at(std::filesystem::path path);
   void unplug();
@@ -71,6 +82,7 @@ class FakeCamera : public V4l2SystemCalls {
   int left_mapped() const;  // buffers
   int started() const;      // STREAMON
   std::size_t steps_left() const;
+  std::size_t pictures_lost() const;  // of the sensor's
   ChosenMode agreed() const;
 
   int open(const char* path, int flags) override;
@@ -100,12 +112,17 @@ class FakeCamera : public V4l2SystemCalls {
   int stop();
   std::size_t picture_bytes() const;
   void bury_buffers();
+  void expose();
   void expect(bool kept, const char* rule);
 
   mutable std::mutex mutex_;
   std::filesystem::path path_;
   Habits habits_;
   std::deque<Step> steps_;
+  std::optional<Sensor> sensor_;
+  std::optional<Duration> sensor_began_;
+  std::deque<Step> exposed_;  // in buffers that are not dequeued yet
+  std::size_t taken_ = 0, lost_ = 0;
   std::optional<std::vector<std::uint8_t>> forever_;
   std::uint32_t next_sequence_ = 0;
   bool is_gone_ = false, is_failing_ = false, is_streaming_ = false;
