@@ -101,6 +101,13 @@ Result<void> import_file(Library& library, const fs::path& input, const ImportOp
   if (!options.coach.empty()) {
     // It is kept whatever comes out of comparing it.
     Result<StoredAnswer> answer = analyze_stored(*swing, options.coach, options.load);
+    if (!answer && answer.error().code == ErrorCode::Cancelled) {
+      // Who stops an import wants nothing of it.
+      Result<Swing> trashed = library.trash(swing->id);
+      const Result<void> gone = trashed ? library.purge(swing->id) : tl::unexpected(trashed.error());
+      if (!gone) return gone;
+      return tl::unexpected(answer.error());
+    }
     Result<SwingDraft> again =
         answer ? library.begin_again(swing->id) : Result<SwingDraft>(tl::unexpected(answer.error()));
     Result<void> added = again ? add_answer(*again, *answer) : Result<void>(tl::unexpected(again.error()));
