@@ -62,6 +62,22 @@ void set_icon(GLFWwindow* window) {
   stbi_image_free(icon.pixels);
 }
 
+// In the middle of what the desktop's bars leave free, most of it, but never smaller than it was made.
+void fit_to_desktop(GLFWwindow* window) {
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return;
+  constexpr double kShare = 0.86, kShape = 16.0 / 9;
+  int left = 0, top = 0, across = 0, down = 0, width = 0, height = 0;
+  glfwGetMonitorWorkarea(monitor, &left, &top, &across, &down);
+  glfwGetWindowSize(window, &width, &height);
+  if (across <= 0 || down <= 0) return;
+  const double wanted = std::min(kShare * across, kShare * down * kShape);
+  width = std::min(across, std::max(width, static_cast<int>(wanted)));
+  height = std::min(down, std::max(height, static_cast<int>(wanted / kShape)));
+  glfwSetWindowSize(window, width, height);
+  glfwSetWindowPos(window, left + (across - width) / 2, top + (down - height) / 2);
+}
+
 }  // namespace
 
 GlfwWindow::GlfwWindow(GLFWwindow* window) : window_(window) {
@@ -85,6 +101,7 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::open(const std::string& title, i
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "virtual-pose-coach");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "virtual-pose-coach");
   GLFWwindow* const window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
@@ -95,6 +112,8 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::open(const std::string& title, i
   }
   set_icon(window);
   glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  fit_to_desktop(window);
+  glfwShowWindow(window);
   return std::unique_ptr<GlfwWindow>(new GlfwWindow(window));
 }
 
@@ -154,8 +173,11 @@ FrameInput GlfwWindow::next_input(double longest_wait_s, double text_size) {
   glfwGetFramebufferSize(window_, &width_px, &height_px);
   float scale_x = 1, scale_y = 1;
   glfwGetWindowContentScale(window_, &scale_x, &scale_y);
-  // In steps, so that fonts are sharp and not made anew at every turn.
-  const double wanted = static_cast<double>(std::max(scale_x, scale_y)) * text_size;
+  // In steps, so that fonts are sharp and not made anew at every turn. A large window is larger in
+  // everything, whatever the display says: it is looked at from further away.
+  constexpr double kUsualWidth = 1536, kUsualHeight = 864;
+  const double room = std::floor(4 * std::min(width_px / kUsualWidth, height_px / kUsualHeight)) / 4;
+  const double wanted = std::max({static_cast<double>(std::max(scale_x, scale_y)), room}) * text_size;
   input.scale = std::clamp(std::round(4 * wanted) / 4, 0.75, 4.0);
   input.size = Vec2(std::max(1, width_px), std::max(1, height_px)) / input.scale;
   ImGuiIO& io = ImGui::GetIO();
@@ -166,8 +188,12 @@ FrameInput GlfwWindow::next_input(double longest_wait_s, double text_size) {
   input.time_s = glfwGetTime();
   input.elapsed_s = std::clamp(input.time_s - last_time_s_, 1e-4, 0.5);
   last_time_s_ = input.time_s;
-  // One press a frame: each finds the window as the one before left it.
-  if (!keys_.empty()) {
+  // One press a frame: each finds the window as the one before left it. What is being written comes all at
+  // once, as its letters do: Enter must find them there.
+  if (ImGui::GetIO().WantTextInput) {
+    input.keys = std::exchange(keys_, {});
+    was_touched_ = was_touched_ || !input.keys.empty();
+  } else if (!keys_.empty()) {
     input.keys.push_back(keys_.front());
     keys_.erase(keys_.begin());
     was_touched_ = true;

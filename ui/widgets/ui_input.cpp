@@ -162,8 +162,11 @@ bool Ui::text_field(std::string_view id, const Rect& rect, std::string& words, s
     is_changed = ImGui::InputTextWithHint(name.c_str(), std::string(hint).c_str(), &words);
   }
   const bool is_active = ImGui::IsItemActive();
-  if (lines == 1 && ImGui::IsItemDeactivated() && take({Key::Enter}, Repeats::Ignored))
+  if (lines == 1 && (is_active || ImGui::IsItemDeactivated()) && take({Key::Enter}, Repeats::Ignored)) {
     state_.entered_field = id;
+    if (is_active) ImGui::ClearActiveID();
+    take_all_keys();  // its letters are no commands
+  }
   ImGui::PopStyleColor(4);
   ImGui::PopStyleVar();
   const bool is_ringed = is_active || is_focused;
