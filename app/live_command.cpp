@@ -21,13 +21,26 @@ Result<void> run(const LiveArguments& arguments) {
   Result<std::unique_ptr<GlfwWindow>> opened = GlfwWindow::open("Virtual Pose Coach", 1280, 720);
   if (!opened) return tl::unexpected(opened.error());
   GlfwWindow& window = **opened;
-  Result<std::unique_ptr<WindowProgram>> made = WindowProgram::make(arguments);
-  if (!made) return tl::unexpected(made.error());
-  WindowProgram& program = **made;
   Result<std::unique_ptr<Interface>> interface = Interface::make(Interface::Drawing::OpenGl);
   if (!interface) return tl::unexpected(interface.error());
   window.connect();
   GlSceneViews views(is_drawn_by_software() ? kSoftwarePixels : kHardwarePixels);
+  // Loading the pose networks takes a moment.
+  {
+    const Theme theme = make_theme(ThemeKind::Dark, Palette::RedGreen);
+    std::unique_ptr<Ui> ui = (*interface)->begin(window.next_input(0, 1), theme, views);
+    draw_starting(*ui, ui->whole());
+    (*interface)->end(std::move(ui));
+    window.clear();
+    (*interface)->draw();
+    window.show();
+  }
+  Result<std::unique_ptr<WindowProgram>> made = WindowProgram::make(arguments);
+  if (!made) {
+    window.disconnect();
+    return tl::unexpected(made.error());
+  }
+  WindowProgram& program = **made;
   WindowState state;
   Intents intents;
   double text_size = 1;

@@ -13,6 +13,9 @@
 #include "core/motion/pose_file.h"
 #include "core/session/places.h"
 #include "core/session/references.h"
+#include "ui/report/stills.h"
+#include "ui/review/film_zoom.h"
+#include "ui/review/find_golfer.h"
 
 namespace posecoach {
 namespace {
@@ -76,6 +79,25 @@ Result<StoredAnswer> analyze_with_pictures(const Swing& swing, const std::string
 }
 
 // The middle where there is no top.
+// The golfer as large as he fits, in the usual shape.
+Image around_golfer(const Image& picture, const AnalyzedSwing& swing) {
+  const auto golfer = find_golfer(swing);
+  if (!golfer) return picture;
+  const Rect whole{0, 0, static_cast<double>(picture.width), static_cast<double>(picture.height)};
+  constexpr double kShape = 16.0 / 9;
+  const Rect area{0, 0, kShape * 720, 720};
+  const SeenFilm seen =
+      seen_film(place_film(area, whole.width, whole.height,
+                           zoom_on(golfer->first, golfer->second, area, whole.width, whole.height)));
+  const auto left = static_cast<int>(std::lround(seen.part.begin.x * picture.width)),
+             top = static_cast<int>(std::lround(seen.part.begin.y * picture.height));
+  const int width = static_cast<int>(std::lround(seen.part.size().x * picture.width)),
+            height = static_cast<int>(std::lround(seen.part.size().y * picture.height));
+  if (width < 16 || height < 16) return picture;
+  return cut_out(picture,
+                 {left, top, std::min(width, picture.width - left), std::min(height, picture.height - top)});
+}
+
 std::size_t top_picture(const AnalyzedSwing& swing) {
   for (const SwingEvent& event : swing.pair.analysis.student_events)
     if (event.name == "top") return static_cast<std::size_t>(std::max(0, event.frame));
@@ -177,7 +199,7 @@ Result<void> add_answer(SwingDraft& draft, const AnalyzedSwing& swing) {
   const Result<std::shared_ptr<const Image>> picture =
       swing.pictures->picture(std::min(top_picture(swing), pictures - 1));
   if (!picture) return tl::unexpected(picture.error());
-  return add_picture(draft, **picture);
+  return add_picture(draft, around_golfer(**picture, swing));
 }
 
 Result<void> add_picture(SwingDraft& draft, const Image& picture) {

@@ -21,6 +21,9 @@ Memory::Memory(const std::filesystem::path& file) : file_(std::make_unique<File>
   const Settings& settings = file_->loaded.settings;
   if (!settings.camera.stable_path.empty())
     remembered.source = std::string(kCamera) + settings.camera.stable_path;
+  remembered.width = settings.camera.width;
+  remembered.height = settings.camera.height;
+  remembered.fps = settings.camera.fps;
   remembered.theme = settings.theme;
   remembered.palette = settings.palette;
   remembered.text_size = settings.interface_scale > 0 ? settings.interface_scale : 1;
@@ -37,8 +40,12 @@ const std::string& Memory::message() const {
 
 void Memory::save() {
   Settings& settings = file_->loaded.settings;
-  if (remembered.source.starts_with(kCamera))
+  if (remembered.source.starts_with(kCamera)) {
     settings.camera.stable_path = remembered.source.substr(kCamera.size());
+    settings.camera.width = remembered.width;
+    settings.camera.height = remembered.height;
+    settings.camera.fps = remembered.fps;
+  }
   settings.theme = remembered.theme;
   settings.palette = remembered.palette;
   settings.interface_scale = remembered.text_size;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kMostPictures = 64;
 constexpr int kAhead = 10;
+constexpr int kMostRead = 1500;  // of a longer film the store would not keep them
 
 class SharedStore : public PictureStore {
  public:
@@ -37,8 +38,11 @@ std::shared_ptr<PictureStore> make_shared_store(std::shared_ptr<PictureStore> st
   return std::make_shared<SharedStore>(std::move(store));
 }
 
-PictureFetcher::PictureFetcher(std::shared_ptr<PictureStore> store)
-    : store_(std::move(store)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+PictureFetcher::PictureFetcher(std::shared_ptr<PictureStore> store, Reading reading)
+    : store_(std::move(store)),
+      read_end_(reading == Reading::Ahead && store_->count() <= kMostRead ? static_cast<int>(store_->count())
+                                                                          : 0),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 PictureFetcher::~PictureFetcher() = default;
 
@@ -49,9 +53,12 @@ std::optional<ShownPicture> PictureFetcher::lookup(int wanted) {
     wanted_changed_.notify_one();
   }
   if (pictures_.contains(wanted)) shown_ = wanted;
+  const auto now = std::chrono::steady_clock::now();
+  if (shown_ == wanted) had_wanted_at_ = now;
   const auto found = pictures_.find(shown_);
   if (found == pictures_.end()) return std::nullopt;
-  return ShownPicture{found->first, found->second};
+  return ShownPicture{found->first, found->second,
+                      std::chrono::duration<double>(now - had_wanted_at_).count()};
 }
 
 std::optional<int> PictureFetcher::next_missing() const {
@@ -66,8 +73,16 @@ void PictureFetcher::run(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
     const std::optional<int> missing = next_missing();
-    if (!missing) {
+    if (!missing && !has_unread()) {
       wanted_changed_.wait(lock, stop, [&] { return next_missing().has_value(); });
+      continue;
+    }
+    if (!missing) {
+      const auto next = static_cast<std::size_t>(read_to_++);
+      lock.unlock();
+      const bool is_read = store_->picture(next).has_value();
+      lock.lock();
+      if (!is_read) read_end_ = 0;
       continue;
     }
     lock.unlock();

@@ -1,6 +1,7 @@
 #include "app/window/window_program.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/window/live_session.h"
 #include "app/window/memory.h"
@@ -74,7 +75,13 @@ Result<void> WindowProgram::start(const LiveArguments& arguments) {
                                     [&](const CameraEntry& camera) { return camera.source == source; });
   // A camera of last time that is not plugged in must not stop anybody from starting.
   if (arguments.source.empty() && !is_there) source = model_.cameras.front().source;
-  choose_source(source, false);
+  std::optional<PictureMode> mode;
+  for (const CameraEntry& camera : model_.cameras)
+    for (const PictureMode& can : camera.modes)
+      if (camera.source == source && source == remembered.source && can.width == remembered.width &&
+          can.height == remembered.height && std::abs(can.fps - remembered.fps) < 0.01)
+        mode = can;
+  choose_source(source, false, mode);
   return {};
 }
 
@@ -92,6 +99,9 @@ const WindowModel& WindowProgram::model(double time_s, WindowState& state) {
   (void)jobs_->finish_jobs();
   (void)keeping_->finish_jobs();
   if (wanted_screen_) state.screen = *std::exchange(wanted_screen_, std::nullopt);
+  // What was plugged in meanwhile is there to be chosen.
+  if (state.screen == ScreenName::SetUp && last_screen_ != ScreenName::SetUp) refresh_cameras();
+  last_screen_ = state.screen;
   model_.snapshot = live_->runner().snapshot();
   follow_loop(*model_.snapshot, time_s);
   const SessionRecording recording = live_->recording();
@@ -196,6 +206,7 @@ void WindowProgram::perform_one(const Intent& intent, WindowState& state) {
           [&](const intent::SetMarks& it) { set_marks(it.id, it.marks); },
           [&](const intent::KeepShown& it) { wanted_shot_ = it.area; },
           [&](const intent::ListFolder& it) { list_folder(it.path); },
+          [&](const intent::ShowFolder& it) { show_folder(it.path); },
           [&](const intent::KeepLeftover& it) { settle_leftover(it.folder, Shelf::Kept); },
           [&](const intent::TrashLeftover& it) { settle_leftover(it.folder, Shelf::Trash); },
           [&](const intent::SetKeys& it) {

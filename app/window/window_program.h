@@ -62,6 +62,7 @@ class WindowProgram {
   void keep_picture(const Image& picture);
   void record(bool is_on);
   void refresh_cameras();
+  void list_source(const std::string& source);
 
   // window_program_library.cpp
   void refresh_swings();  // beside the window
@@ -79,6 +80,7 @@ class WindowProgram {
 
   // window_program_files.cpp
   void list_folder(const std::string& path);
+  void show_folder(const std::string& path);
   void look_for_leftovers();
   void settle_leftover(const std::string& folder, Shelf shelf);
 
@@ -92,7 +94,8 @@ class WindowProgram {
   void perform_one(const Intent& intent, WindowState& state);
   void tell(ToastKind kind, std::string text, std::string action = {}, std::optional<Intent> intent = {});
   OpenedSwing make_opened(const std::string& id, std::string title,
-                          std::shared_ptr<const AnalyzedSwing> swing, bool is_starred);
+                          std::shared_ptr<const AnalyzedSwing> swing, bool is_starred,
+                          Reading reading = Reading::AsWanted);
 
   struct TimedToast {
     Toast toast;
@@ -117,6 +120,7 @@ class WindowProgram {
   LoopState last_loop_ = LoopState::Off;
   double replay_until_s_ = 0;
   std::optional<ScreenName> wanted_screen_;
+  ScreenName last_screen_ = ScreenName::Live;
   std::optional<Rect> wanted_shot_;
   std::vector<Leftover> leftovers_;
   bool is_storing_marks_ = false;

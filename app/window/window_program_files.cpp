@@ -1,7 +1,12 @@
 // Files that are chosen in the window, and recordings that a sudden end left behind.
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <thread>
 
 #include "app/window/live_session.h"
 #include "app/window/memory.h"
@@ -91,6 +96,15 @@ void WindowProgram::list_folder(const std::string& path) {
     return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
   });
   model_.listing = std::move(listing);
+}
+
+void WindowProgram::show_folder(const std::string& path) {
+  std::string program = "xdg-open", folder = path;
+  const std::array<char*, 3> arguments = {program.data(), folder.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0)
+    return tell(ToastKind::Information, "It is in " + path);
+  std::thread([child] { (void)waitpid(child, nullptr, 0); }).detach();
 }
 
 // The same that `library recover` finds.

@@ -21,6 +21,15 @@ std::string coach_words(const std::vector<CoachChoice>& coaches, const std::stri
   return source;
 }
 
+// "today 14:32", "yesterday 18:05", "2026-05-12 18:05".
+std::string when_words(const WallTime& time) {
+  const std::string words = to_words(time), clock = words.substr(words.find(' '));
+  const WallTime now = wall_time_now();
+  if (day_of(time) == day_of(now)) return "today" + clock;
+  if (day_of(time) == day_of(wall_time_at(now.utc - std::chrono::hours(24)))) return "yesterday" + clock;
+  return words;
+}
+
 using Thumbnails = std::map<std::string, std::shared_ptr<const Image>>;
 
 SwingCard make_card(const Swing& swing, const std::vector<CoachChoice>& coaches, const Thumbnails& known) {
@@ -31,7 +40,10 @@ SwingCard make_card(const Swing& swing, const std::vector<CoachChoice>& coaches,
   card.title = swing.is_readable()
                    ? title_from_name(swing.facts.stroke.empty() ? "swing" : swing.facts.stroke)
                    : swing.id;
-  if (swing.is_readable()) card.when = to_words(swing.facts.recorded_at);
+  if (swing.is_readable()) {
+    card.date = to_words(swing.facts.recorded_at);
+    card.when = when_words(swing.facts.recorded_at);
+  }
   card.person = swing.facts.person;
   card.coach = coach_words(coaches, swing.facts.coach);
   card.stroke = swing.facts.stroke;
@@ -105,14 +117,14 @@ void WindowProgram::change_card(const std::string& id, const std::function<void(
 }
 
 OpenedSwing WindowProgram::make_opened(const std::string& id, std::string title,
-                                       std::shared_ptr<const AnalyzedSwing> swing, bool is_starred) {
+                                       std::shared_ptr<const AnalyzedSwing> swing, bool is_starred,
+                                       Reading reading) {
   OpenedSwing opened;
   opened.id = id;
   opened.title = std::move(title);
-  opened.detail = swing->pair.analysis.stroke + " · against " +
-                  coach_words(model_.coaches, swing->pair.analysis.coach.source);
+  opened.detail = "against " + coach_words(model_.coaches, swing->pair.analysis.coach.source);
   opened.review = make_review_swing(swing);
-  opened.picture = lookup_of(std::make_shared<PictureFetcher>(swing->pictures));
+  opened.picture = lookup_of(std::make_shared<PictureFetcher>(swing->pictures, reading));
   opened.is_starred = is_starred;
   return opened;
 }
@@ -141,8 +153,8 @@ void WindowProgram::open_swing(const std::string& id, bool as_second, WindowStat
           if (is_new) refresh_swings();
           const std::string title =
               title_from_name(swing.facts.stroke.empty() ? "swing" : swing.facts.stroke) + ", " +
-              to_words(swing.facts.recorded_at);
-          OpenedSwing made = make_opened(swing.id, title, opened, swing.facts.star);
+              when_words(swing.facts.recorded_at);
+          OpenedSwing made = make_opened(swing.id, title, opened, swing.facts.star, Reading::Ahead);
           made.marks = marks;
           if (as_second && model_.opened) {
             model_.compared = std::move(made);
@@ -217,21 +229,23 @@ void WindowProgram::export_swing(const std::string& id, ExportKind kind) {
   const Result<Swing> swing = library_->find(id);
   if (!swing)
     return tell(ToastKind::Warning, id.empty() ? "The swing is still being kept." : swing.error().message);
-  jobs_->start(
-      "Exporting",
-      [this, swing = *swing, kind, palette = model_.palette,
-       library = library_.get()](const Progress& progress) -> Result<JobQueue::Finish> {
-        const std::filesystem::path folder = places_.library / "Exports";
-        if (const Result<void> made = make_folders(system_disk(), folder); !made)
-          return tl::unexpected(made.error());
-        const std::filesystem::path file =
-            folder / (swing.folder.filename().string() + std::string(ending_of(kind)));
-        const bool has_drawings = kind == ExportKind::DrawnFilm;
-        const ExportOptions options{{}, {pose_, {}, progress}, palette, library, has_drawings};
-        if (const Result<void> written = posecoach::export_swing(swing, file, options); !written)
-          return tl::unexpected(written.error());
-        return JobQueue::Finish([this, file] { tell(ToastKind::Good, "Exported: " + file.string()); });
-      });
+  jobs_->start("Exporting",
+               [this, swing = *swing, kind, palette = model_.palette,
+                library = library_.get()](const Progress& progress) -> Result<JobQueue::Finish> {
+                 const std::filesystem::path folder = places_.library / "Exports";
+                 if (const Result<void> made = make_folders(system_disk(), folder); !made)
+                   return tl::unexpected(made.error());
+                 const std::filesystem::path file =
+                     folder / (swing.folder.filename().string() + std::string(ending_of(kind)));
+                 const bool has_drawings = kind == ExportKind::DrawnFilm;
+                 const ExportOptions options{{}, {pose_, {}, progress}, palette, library, has_drawings};
+                 if (const Result<void> written = posecoach::export_swing(swing, file, options); !written)
+                   return tl::unexpected(written.error());
+                 return JobQueue::Finish([this, file] {
+                   tell(ToastKind::Good, "Exported: " + file.filename().string(), "Show",
+                        intent::ShowFolder{file.parent_path().string()});
+                 });
+               });
 }
 
 }  // namespace posecoach

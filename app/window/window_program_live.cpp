@@ -117,11 +117,13 @@ void WindowProgram::choose_source(const std::string& source, bool is_remembered,
   if (mode) wish = "?width=" + std::to_string(mode->width) + "&height=" + std::to_string(mode->height);
   if (mode && mode->fps > 0) wish += "&fps=" + decimal(mode->fps, 2);
   live_->set_source(source + wish);
-  const bool is_listed = std::any_of(model_.cameras.begin(), model_.cameras.end(),
-                                     [&](const CameraEntry& camera) { return camera.source == source; });
-  if (!is_listed) model_.cameras.push_back({source, source, "As you wrote it", {}});
+  list_source(source);
   if (!is_remembered) return;
-  memory_->remembered.source = source;
+  Remembered& remembered = memory_->remembered;
+  remembered.source = source;
+  remembered.width = mode ? mode->width : 0;
+  remembered.height = mode ? mode->height : 0;
+  remembered.fps = mode ? mode->fps : 0;
   memory_->save();
 }
 
@@ -162,7 +164,8 @@ void WindowProgram::keep_picture(const Image& picture) {
   if (!path) return tell(ToastKind::Warning, path.error().message);
   if (const Result<void> written = write_png(*path, picture); !written)
     return tell(ToastKind::Warning, written.error().message);
-  tell(ToastKind::Good, "Picture kept: " + path->string());
+  tell(ToastKind::Good, "Picture kept: " + path->filename().string(), "Show",
+       intent::ShowFolder{path->parent_path().string()});
 }
 
 // Into a draft of the library: what a sudden end leaves of it is found and offered at the next start.
@@ -204,6 +207,7 @@ void WindowProgram::record(bool is_on) {
 }
 
 void WindowProgram::refresh_cameras() {
+  const std::string used = model_.source;
   model_.cameras.clear();
   for (FoundCamera& camera : find_cameras()) {
     std::vector<PictureMode> modes;  // each at its fastest
@@ -215,6 +219,22 @@ void WindowProgram::refresh_cameras() {
   }
   model_.cameras.push_back({"simulated:swing", "Simulated student, full swing", "No camera needed", {}});
   model_.cameras.push_back({"simulated:putt", "Simulated student, putt", "No camera needed", {}});
+  list_source(used);
+}
+
+// What is used is among what can be chosen: a film, a camera that is unplugged now.
+void WindowProgram::list_source(const std::string& source) {
+  const bool is_listed = std::any_of(model_.cameras.begin(), model_.cameras.end(),
+                                     [&](const CameraEntry& camera) { return camera.source == source; });
+  if (source.empty() || is_listed) return;
+  std::error_code failed;
+  const bool is_film = std::filesystem::is_regular_file(source, failed);
+  model_.cameras.push_back({source,
+                            is_film ? std::filesystem::path(source).filename().string() : source,
+                            is_film                         ? "A film: " + source
+                            : source.starts_with("camera:") ? "Not plugged in now"
+                                                            : "As you wrote it",
+                            {}});
 }
 
 }  // namespace posecoach

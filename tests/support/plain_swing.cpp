@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 #include "capture/simulated_student.h"
 #include "core/base/assert.h"
@@ -34,7 +35,9 @@ std::unique_ptr<SimulatedStudent> play(const std::string& fault, double height_m
   options.frames_per_second = 30;
   options.width = 640;
   options.height = 360;
-  if (!fault.empty()) options.faults = {fault_from_string(fault).value()};
+  std::istringstream faults(fault);
+  for (std::string one; std::getline(faults, one, ',');)
+    options.faults.push_back(fault_from_string(one).value());
   Result<std::unique_ptr<SimulatedStudent>> student = SimulatedStudent::make(options);
   POSECOACH_ASSERT(student.has_value());
   return *std::move(student);
@@ -68,14 +71,14 @@ Analysis describe(const AuthoredMotion& student) {
     analysis.path_error_m.push_back(0.02 + 0.001 * (frame % 40));
   }
   analysis.advice = {
-      {AdviceKind::Spatial, "At impact, your hips are 9 cm too close to the ball.", top + 6, top + 1, 2},
+      {AdviceKind::Spatial, "At the top, your hips are 14 cm too far from the target.", top, top, 2},
       {AdviceKind::Timing, "Your downswing takes too long: start down with more speed.", top + 2, top, 1.4},
-      {AdviceKind::Spatial, "At the top, your left elbow is bent by 14° more.", top, top, 1.1}};
+      {AdviceKind::Spatial, "At the top, your left elbow is bent by 60° more.", top, top, 1.1}};
   SpatialAdvice spatial;
   spatial.joint = "pelvis";
-  spatial.event = "impact";
-  spatial.student_frame = top + 6;
-  spatial.coach_frame = top + 1;
+  spatial.event = "top";
+  spatial.student_frame = top;
+  spatial.coach_frame = top;
   analysis.spatial = {spatial};
   const auto metric = [](const char* name, double value, const char* unit, double coach) {
     Metric made;

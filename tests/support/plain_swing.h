@@ -9,6 +9,7 @@
 
 namespace posecoach {
 
-std::shared_ptr<const AnalyzedSwing> make_plain_swing(const std::string& fault, double height_m);
+// `faults` as "sway=14,bent_lead_arm=60"; empty for none. The coach in the student's body has none.
+std::shared_ptr<const AnalyzedSwing> make_plain_swing(const std::string& faults, double height_m);
 
 }  // namespace posecoach

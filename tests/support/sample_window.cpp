@@ -38,21 +38,38 @@ std::shared_ptr<const Image> thumbnail(int frame) {
   return std::make_shared<const Image>(resized(**drawn, 320, 180));
 }
 
+// As far as framing him needs it.
+SeenPerson seen_person(const PosedBody& body, const PinholeCamera& camera) {
+  SeenPerson person;
+  for (const auto& [landmark, role] :
+       {std::pair(Landmark::Nose, HumanoidJoint::Head), std::pair(Landmark::LeftHip, HumanoidJoint::LeftHip),
+        std::pair(Landmark::RightHip, HumanoidJoint::RightHip),
+        std::pair(Landmark::LeftHeel, HumanoidJoint::LeftAnkle),
+        std::pair(Landmark::RightHeel, HumanoidJoint::RightAnkle)})
+    if (const int joint = body.skeleton->find(role); joint != kNoJoint)
+      if (const std::optional<Vec2> at = camera.project(body.positions[static_cast<std::size_t>(joint)]))
+        person.image[landmark] = {*at, 0.95};
+  return person;
+}
+
 BodyPose body_pose(const PosedBody& body) {
   return {std::make_shared<const Skeleton>(*body.skeleton), body.positions, body.confidence};
 }
 
-constexpr int kMoment = 34;
+// The top of the swing, where the student's faults are plain to see.
+int moment() {
+  return sample_review()->events[3];
+}
 
 }  // namespace
 
 std::shared_ptr<const ReviewSwing> sample_review() {
-  static const auto review = make_review_swing(make_plain_swing("early_extension=10", 1.80));
+  static const auto review = make_review_swing(make_plain_swing("sway=14,bent_lead_arm=60", 1.80));
   return review;
 }
 
 std::shared_ptr<const ReviewSwing> second_review() {
-  static const auto review = make_review_swing(make_plain_swing("sway=9", 1.66));
+  static const auto review = make_review_swing(make_plain_swing("reverse_spine_angle=22", 1.66));
   return review;
 }
 
@@ -62,18 +79,25 @@ CoachSnapshot sample_snapshot(LoopState loop) {
   snapshot.number = 1 + static_cast<std::uint64_t>(loop);
   snapshot.source_state = SourceState::Live;
   snapshot.source = "USB camera, 1280 × 720 at 30";
-  const Result<std::shared_ptr<const Image>> picture = review->swing->pictures->picture(kMoment);
+  const Result<std::shared_ptr<const Image>> picture =
+      review->swing->pictures->picture(static_cast<std::size_t>(moment()));
   POSECOACH_ASSERT(picture.has_value());
-  snapshot.frame = Frame{kMoment, review->swing->track.frames[kMoment].time, {}, *picture};
-  const BodiesAtPicture bodies = bodies_at(*review, kMoment);
+  snapshot.frame = Frame{static_cast<std::size_t>(moment()),
+                         review->swing->track.frames[static_cast<std::size_t>(moment())].time,
+                         {},
+                         *picture};
+  const BodiesAtPicture bodies = bodies_at(*review, moment());
   snapshot.student = body_pose(*bodies.student);
   snapshot.camera = review->swing->student.camera;
+  snapshot.person = seen_person(*bodies.student, *snapshot.camera);
   Ghost ghost;
   ghost.body = body_pose(*bodies.coach);
   ghost.fraction = 0.4;
   ghost.closeness.fill(0.9);
-  ghost.closeness[static_cast<std::size_t>(HumanoidJoint::LeftElbow)] = 0.2;
-  ghost.closeness[static_cast<std::size_t>(HumanoidJoint::LeftWrist)] = 0.45;
+  for (const auto& [joint, closeness] :
+       {std::pair(HumanoidJoint::LeftElbow, 0.15), std::pair(HumanoidJoint::LeftWrist, 0.4),
+        std::pair(HumanoidJoint::LeftHip, 0.3), std::pair(HumanoidJoint::RightHip, 0.3)})
+    ghost.closeness[static_cast<std::size_t>(joint)] = closeness;
   snapshot.ghost = ghost;
   snapshot.loop = loop;
   snapshot.checks = {{SetUpTopic::WholeBody, SetUpLevel::Good, "All of you is in the picture."},
@@ -150,15 +174,15 @@ SampleWindow normal_window() {
                       "Recording of 2026-05-12 14:32", "18 MB of film · Anna"}};
   window.state.hides_leftovers = true;
   model.opened->marks = {{},
-                         {{DrawingKind::Line, 36, {{300, 300}, {330, 60}}},
-                          {DrawingKind::Angle, 36, {{250, 110}, {305, 140}, {300, 250}}}},
-                         {20, 36}};
+                         {{DrawingKind::Line, moment(), {{300, 300}, {330, 60}}},
+                          {DrawingKind::Angle, moment(), {{250, 110}, {305, 140}, {300, 250}}}},
+                         {20, moment()}};
   model.jobs = {{1, "Exporting swing 14", "drawing", 0.42}};
   model.toasts = {
       {1, ToastKind::Good, "Swing 14 is kept.", "", {}},
       {2, ToastKind::Information, "Swing 9 is in the trash.", "Undo", intent::RestoreSwing{"s9"}}};
   window.state.played = sample_review();
-  window.state.playback.frame = 36;
+  window.state.playback.frame = moment();
   window.state.chosen_advice = 0;
   return window;
 }

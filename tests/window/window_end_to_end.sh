@@ -159,7 +159,7 @@ press ctrl+1; press Escape; press h
 
 # Another coach: below the rail, the camera and the person.
 press ctrl+4
-tabs 18; shot 18_coach_ringed
+tabs 19; shot 18_coach_ringed
 press Return
 has_coach() { grep -rq '"bundled:putt"' "$XDG_DATA_HOME"/virtual-pose-coach/people; }
 wait_for 20 "chosen coach" has_coach

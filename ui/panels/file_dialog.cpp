@@ -1,4 +1,6 @@
 // Choosing a file: places at the left, the folder's films in the middle, a line for those who know the path.
+#include <array>
+
 #include "ui/panels/common_panels.h"
 #include "ui/widgets/controls.h"
 
@@ -90,24 +92,26 @@ void draw_import_dialog(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   const Theme& theme = context.theme();
   WindowState& state = context.state;
-  const bool is_coach = state.browse_for == BrowseFor::Coach;
+  struct Words {
+    std::string_view title, hint, verb;
+  };
+  static constexpr std::array<Words, 3> kWords = {
+      {{"Import a swing", "A film or a motion file. You can also drop it on the window.", "Import"},
+       {"Add a coach", "A motion file, a film or a picture.", "Add"},
+       {"Practise with a film", "It plays in the camera's place.", "Use"}}};
+  const Words& said = kWords[static_cast<std::size_t>(state.browse_for)];
   ui.fill(area, theme.scrim);
   const double width = std::min(860.0, area.width - 32), height = std::min(560.0, area.height - 32);
   const Rect card{area.centre().x - 0.5 * width, area.centre().y - 0.5 * height, width, height};
   ui.shadow(card, radius::kLarge, 24);
   Rect inner = draw_card(ui, card, 24);
-  ui.text_in(TextStyle::Heading, inner.take_top(32, 4), is_coach ? "Add a coach" : "Import a swing",
-             theme.text);
-  ui.text_in(TextStyle::Body, inner.take_top(22, 12),
-             is_coach ? "A motion file: BVH, AMC, TRC, C3D or a pose file."
-                      : "A film or a motion file. You can also drop it on the window.",
-             theme.quiet);
+  ui.text_in(TextStyle::Heading, inner.take_top(32, 4), said.title, theme.text);
+  ui.text_in(TextStyle::Body, inner.take_top(22, 12), said.hint, theme.quiet);
   Rect row = inner.take_bottom(38, 14);
   const bool is_ready = !state.typed_import.empty();
-  const std::string_view verb = is_coach ? "Add" : "Import";
-  bool is_taken =
-      draw_button(ui, row.take_right(110, 10),
-                  {.id = "import now", .words = verb, .look = ButtonLook::Primary, .is_enabled = is_ready});
+  bool is_taken = draw_button(
+      ui, row.take_right(110, 10),
+      {.id = "import now", .words = said.verb, .look = ButtonLook::Primary, .is_enabled = is_ready});
   const bool is_left = draw_button(ui, row.take_right(100, 14), {.id = "import not", .words = "Cancel"}) ||
                        ui.take_key({Key::Escape});
   ui.text_field("import path", row, state.typed_import, "Or write where it is: /home/you/Videos/swing.mp4");
@@ -115,10 +119,16 @@ void draw_import_dialog(const PanelContext& context, const Rect& area) {
   draw_places(context, inner.take_left(std::min(180.0, 0.28 * inner.width), 16));
   is_taken = draw_entries(context, inner) || is_taken;
   if (is_taken && !state.typed_import.empty()) {
-    if (is_coach)
-      context.want(intent::ChooseCoach{state.typed_import});
-    else
-      context.want(intent::ImportFile{state.typed_import});
+    switch (state.browse_for) {
+      case BrowseFor::Swing:
+        context.want(intent::ImportFile{state.typed_import});
+        break;
+      case BrowseFor::Coach:
+        context.want(intent::ChooseCoach{state.typed_import});
+        break;
+      case BrowseFor::Source:
+        context.want(intent::ChooseSource{state.typed_import, {}});
+    }
     state.typed_import.clear();
     ui.close_popup();
   }

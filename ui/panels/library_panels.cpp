@@ -21,8 +21,8 @@ std::string lower(std::string_view words) {
 }
 
 bool has_all_words(const SwingCard& card, std::string_view search) {
-  const std::string text = lower(card.title + " " + card.when + " " + card.person + " " + card.coach + " " +
-                                 card.stroke + " " + card.notes);
+  const std::string text = lower(card.title + " " + card.when + " " + card.date + " " + card.person + " " +
+                                 card.coach + " " + card.stroke + " " + card.notes);
   std::string word;
   for (const char c : lower(search) + " ") {
     if (c != ' ') {
@@ -96,6 +96,21 @@ void draw_swing_card(const PanelContext& context, const Rect& area, const SwingC
     open(context, card);
 }
 
+void draw_no_swings(const PanelContext& context, const Rect& area) {
+  Ui& ui = context.ui;
+  draw_empty(ui, area, Icon::Library, "No swings yet",
+             "Start hands-free on the Live screen and swing, or drop a film of a swing here.");
+  constexpr double kHigh = 38, kGap = 10;
+  const Button live{
+      .id = "to live", .words = "Practise live", .icon = Icon::Live, .look = ButtonLook::Primary},
+      film{.id = "import first", .words = "Import a film", .icon = Icon::Import};
+  const double first = button_width(ui, live), second = button_width(ui, film);
+  const double x = area.centre().x - 0.5 * (first + kGap + second), y = area.centre().y + 100;
+  if (draw_button(ui, {x, y, first, kHigh}, live)) context.state.screen = ScreenName::Live;
+  if (draw_button(ui, {x + first + kGap, y, second, kHigh}, film))
+    open_import_dialog(context, BrowseFor::Swing);
+}
+
 }  // namespace
 
 std::vector<const SwingCard*> shown_swings(const WindowModel& model, const WindowState& state) {
@@ -147,8 +162,7 @@ void draw_swing_cards(const PanelContext& context, const Rect& area) {
     if (context.state.filter == Starred)
       return draw_empty(ui, area, Icon::Star, "No starred swings",
                         "Star the swings that you want to find again.");
-    return draw_empty(ui, area, Icon::Library, "No swings yet",
-                      "Start hands-free on the Live screen and swing, or drop a film of a swing here.");
+    return draw_no_swings(context, area);
   }
   const int columns = std::max(1, static_cast<int>(area.width / 224));
   constexpr double kGap = 14;
@@ -202,44 +216,60 @@ void draw_swing_details(const PanelContext& context, const Rect& area) {
     return;
   }
   if (card->unreadable.empty()) {
+    const bool is_picking = state.is_picking_second;
     if (draw_button(ui, inner.take_top(38, 8),
-                    {.id = "open", .words = "Review", .icon = Icon::Review, .look = ButtonLook::Primary}))
-      context.want(intent::OpenSwing{card->id});
+                    {.id = "open",
+                     .words = is_picking ? "Compare with this one" : "Review",
+                     .icon = is_picking ? Icon::SideBySide : Icon::Review,
+                     .look = ButtonLook::Primary,
+                     .hint = is_picking ? "Both are played together (Enter)" : "Look at it closely (Enter)"}))
+      open(context, *card);
     Rect pair = inner.take_top(36, 8);
     if (draw_button(ui, pair.column(0, 2, 8),
                     {.id = "compare",
                      .words = "Compare",
                      .icon = Icon::SideBySide,
+                     .hint = context.model.opened ? "Beside the one that is open in Review"
+                                                  : "Open another swing first; then this one beside it",
                      .is_enabled = context.model.opened.has_value()}))
       context.want(intent::CompareWith{card->id});
+    const std::string star_hint = context.hint("Found again under Starred", Command::ToggleStar);
     if (draw_button(ui, pair.column(1, 2, 8),
                     {.id = "star",
                      .words = card->is_starred ? "Starred" : "Star",
                      .icon = card->is_starred ? Icon::StarFilled : Icon::Star,
+                     .hint = star_hint,
                      .is_on = card->is_starred}))
       context.want(intent::SetStar{card->id, !card->is_starred});
     pair = inner.take_top(36, 8);
-    if (draw_button(ui, pair.column(0, 2, 8), {.id = "coach", .words = "Make coach", .icon = Icon::Coach}))
+    if (draw_button(ui, pair.column(0, 2, 8),
+                    {.id = "coach",
+                     .words = "Make coach",
+                     .icon = Icon::Coach,
+                     .hint = "Compare later swings with this one"}))
       context.want(intent::MakeReference{card->id});
     draw_export_menu(context, pair.column(1, 2, 8), card->id);
   }
+  if (state.notes_of != card->id) {
+    state.notes_of = card->id;
+    state.notes = card->notes;
+  }
+  constexpr double kTrash = 36, kNotes = 200;
+  if (inner.height >= 60 + kTrash + 12) {
+    ui.text_in(TextStyle::Strong, inner.take_top(22, 4), "Notes", theme.text);
+    const IdScope scope(ui, card->id);
+    const Rect field = inner.take_top(std::min(kNotes, inner.height - kTrash - 10), 10);
+    if (ui.text_field("notes", field, state.notes, "What you felt, what you tried", 8))
+      context.want(intent::SetNotes{card->id, state.notes});
+  }
   const std::string hint = context.hint("It can be put back", Command::MoveToTrash);
-  if (draw_button(ui, inner.take_bottom(36, 12),
+  if (draw_button(ui, inner.take_top(kTrash),
                   {.id = "trash",
                    .words = "Move to trash",
                    .icon = Icon::Trash,
                    .look = ButtonLook::Quiet,
                    .hint = hint}))
     context.want(intent::TrashSwing{card->id});
-  if (state.notes_of != card->id) {
-    state.notes_of = card->id;
-    state.notes = card->notes;
-  }
-  if (inner.height < 60) return;
-  ui.text_in(TextStyle::Strong, inner.take_top(22, 4), "Notes", theme.text);
-  const IdScope scope(ui, card->id);
-  if (ui.text_field("notes", inner, state.notes, "What you felt, what you tried", 8))
-    context.want(intent::SetNotes{card->id, state.notes});
 }
 
 }  // namespace posecoach

@@ -1,4 +1,5 @@
 #include "ui/panels/live_panels.h"
+#include "ui/panels/review_panels.h"
 #include "ui/render/words.h"
 #include "ui/widgets/controls.h"
 
@@ -90,8 +91,24 @@ void draw_live_controls(const PanelContext& context, const Rect& area) {
                       .look = ButtonLook::Quiet,
                       .hint = mirror_hint,
                       .is_on = context.state.is_mirrored};
-  if (draw_button(ui, row.take_left(button_width(ui, mirror), 12), mirror))
+  if (draw_button(ui, row.take_left(button_width(ui, mirror), 2), mirror))
     context.state.is_mirrored = !context.state.is_mirrored;
+  const std::string golfer_hint = context.hint(
+      context.state.frames_golfer ? "The whole picture" : "You as large as fits", Command::ToggleGolfer);
+  const Button golfer{.id = "golfer",
+                      .icon = Icon::Search,
+                      .look = ButtonLook::Quiet,
+                      .hint = golfer_hint,
+                      .is_on = context.state.frames_golfer};
+  if (draw_button(ui, row.take_left(button_width(ui, golfer), 2), golfer))
+    context.state.frames_golfer = !context.state.frames_golfer;
+  const std::string figures_hint = context.hint("Skeletons: both, yours, none", Command::ChangeFigures);
+  const Button figures{.id = "figures",
+                       .icon = Icon::Body,
+                       .look = ButtonLook::Quiet,
+                       .hint = figures_hint,
+                       .is_on = context.state.figures != FigureShow::None};
+  if (draw_button(ui, row.take_left(button_width(ui, figures), 12), figures)) change_figures(context.state);
   const double coach_width = std::min(230.0, std::max(120.0, row.width - 250));
   draw_coach_choice(context, row.take_right(coach_width, 10));
   if (row.width > 190) draw_pace(context, row.take_right(std::min(row.width, 300.0)));
@@ -117,14 +134,18 @@ void draw_replay(const PanelContext& context, const Rect& area) {
   constexpr double kGood = 85;
   const bool is_good = analysis.score.percent >= kGood;
   const bool has_advice = !analysis.advice.empty() && analysis.advice.front().kind != AdviceKind::None;
+  // Without its parts there is nothing to be said about them.
+  const bool is_divided = has_advice || !analysis.student_events.empty();
   ui.text_in(TextStyle::Title, inner.take_top(26, 4),
-             has_advice ? "Change this first"
-             : is_good  ? "Well done"
-                        : "No one thing stands out",
-             has_advice || !is_good ? theme.warning : theme.good);
+             has_advice    ? "Change this first"
+             : !is_divided ? "Only a score this time"
+             : is_good     ? "Well done"
+                           : "No one thing stands out",
+             has_advice || !is_good || !is_divided ? theme.warning : theme.good);
   Rect bottom = inner.take_bottom(84);
-  const std::string words =
-      analysis.advice.empty() ? "No clear difference was found." : analysis.advice.front().text;
+  const std::string words = !is_divided               ? "Hold your address for a moment before you swing."
+                            : analysis.advice.empty() ? "No clear difference was found."
+                                                      : analysis.advice.front().text;
   // As large as it fits: to be read from where the golfer stands.
   TextStyle style = TextStyle::Display;
   for (const TextStyle smaller : {TextStyle::Heading, TextStyle::Title})

@@ -19,6 +19,11 @@ void draw_live_controls(const PanelContext& context, const Rect& area);
 void draw_source_message(const PanelContext& context, const Rect& area);
 void draw_replay(const PanelContext& context, const Rect& area);
 
+// For who has not kept a swing yet; gone once there is one.
+bool shows_first_steps(const WindowModel& model, const WindowState& state);
+void draw_first_steps(const PanelContext& context, const Rect& area);
+double first_steps_height(const PanelContext& context, double width);
+
 // How high the lists want to be in this width.
 double set_up_checks_height(const PanelContext& context, double width);
 double address_advice_height(const PanelContext& context, double width);

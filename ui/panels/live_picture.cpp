@@ -2,20 +2,16 @@
 
 #include "ui/panels/live_panels.h"
 #include "ui/panels/live_scene.h"
+#include "ui/panels/review_film_view.h"
 #include "ui/widgets/controls.h"
 
 namespace posecoach {
 namespace {
 
-Rect picture_rect(const CoachSnapshot& snapshot, const Rect& area) {
-  if (!snapshot.frame || !snapshot.frame->image) return area;
-  return fitted(snapshot.frame->image->width, snapshot.frame->image->height, area);
-}
-
-std::string_view source_title(SourceState state) {
+std::string_view source_title(SourceState state, bool is_camera) {
   switch (state) {
     case SourceState::Opening:
-      return "Opening the camera";
+      return is_camera ? "Opening the camera" : "Starting";
     case SourceState::Stalled:
       return "The camera has stopped sending pictures";
     case SourceState::Lost:
@@ -32,20 +28,35 @@ std::string_view source_title(SourceState state) {
 
 void draw_live_picture(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
+  WindowState& state = context.state;
   ui.fill(area, colour_from_hex(0x07090C));
-  if (!context.model.snapshot || !context.model.snapshot->frame) return;
+  if (!context.model.snapshot || !context.model.snapshot->frame || !context.model.snapshot->frame->image ||
+      area.is_empty())
+    return;
   const CoachSnapshot& snapshot = *context.model.snapshot;
-  const Rect place = picture_rect(snapshot, area);
+  const Vec2 picture(snapshot.frame->image->width, snapshot.frame->image->height);
+  const double shape = area.width / area.height;
+  state.framing = framed(state.framing, snapshot, shape, ui.elapsed_s());
+  const PicturePart part = state.frames_golfer ? state.framing.part : whole_part(picture.x, picture.y, shape);
+  const Vec2 seen = part.size() * picture;
+  const Rect place = fitted(seen.x, seen.y, area);
   const double pixels = place.width * place.height * ui.scale() * ui.scale();
   const double factor =
       ui.scale() * std::min(1.0, std::sqrt(ui.views().most_pixels() / std::max(1.0, pixels)));
-  const LiveSceneStyle style{context.theme().palette, context.theme().good, context.theme().warning,
-                             context.theme().bad};
-  const TextureName texture = ui.views().scene("live", snapshot.number, [&] {
-    return make_live_scene(snapshot, style, std::max(16, static_cast<int>(std::lround(place.width * factor))),
-                           std::max(16, static_cast<int>(std::lround(place.height * factor))));
-  });
-  ui.texture(texture, place, 0, context.state.is_mirrored);
+  const Theme film = film_theme(context.theme());
+  const LiveSceneStyle style{film.palette, film.good, film.warning, film.bad, state.figures};
+  const int width = std::max(16, static_cast<int>(std::lround(place.width * factor))),
+            height = std::max(16, static_cast<int>(std::lround(place.height * factor)));
+  const std::uint64_t version = scene_version(
+      {static_cast<double>(snapshot.number), 1.0 * width, 1.0 * height, part.begin.x, part.begin.y,
+       part.end.x, part.end.y, static_cast<double>(style.palette), static_cast<double>(style.figures)},
+      snapshot.frame->image.get());
+  const TextureName texture = ui.views().scene(
+      "live", version, [&] { return make_live_scene(snapshot, style, width, height, part); });
+  const Rect shown = state.is_mirrored
+                         ? Rect{area.x + area.right() - place.right(), place.y, place.width, place.height}
+                         : place;
+  ui.texture(texture, shown, 0, state.is_mirrored);
 }
 
 void draw_source_message(const PanelContext& context, const Rect& area) {
@@ -72,7 +83,8 @@ void draw_source_message(const PanelContext& context, const Rect& area) {
     draw_icon(ui, is_bad ? Icon::Warning : Icon::Check, sign.centre(), 38,
               is_bad ? theme.warning : theme.good);
   }
-  ui.text_in(TextStyle::Title, inner.take_top(26), source_title(state), theme.text, Align::Centre);
+  ui.text_in(TextStyle::Title, inner.take_top(26),
+             source_title(state, context.model.source.starts_with("camera:")), theme.text, Align::Centre);
   if (!message.empty())
     ui.paragraph(TextStyle::Body, inner.take_top(words), message, theme.quiet, 5, Align::Centre);
   if (!has_buttons) return;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/render/overlay_scene.h"
-
 namespace posecoach {
 namespace {
 
@@ -39,12 +37,13 @@ void add_body(Scene& scene, const BodyPose& body, FigureStyle style, double outl
 }
 
 // Not yet placed in the world: a flat figure of lines.
-void add_flat_person(Scene& scene, const SeenPerson& person, const Colour& colour, const Vec2& factor) {
+void add_flat_person(Scene& scene, const SeenPerson& person, const Colour& colour, const Vec2& factor,
+                     const Vec2& origin) {
   const double width = std::max(3.0, 5 * factor.y);
   for (const auto& [from, to] : kLandmarkBones) {
     const ImageKeypoint &a = person.image[from], &b = person.image[to];
     if (a.visibility < kSeen || b.visibility < kSeen) continue;
-    scene.add(make_line(a.position_px * factor, b.position_px * factor, width, colour));
+    scene.add(make_line(a.position_px * factor - origin, b.position_px * factor - origin, width, colour));
   }
 }
 
@@ -76,26 +75,30 @@ void add_closeness(Scene& scene, const BodyPose& student, const Ghost& ghost, co
 }  // namespace
 
 SceneView make_live_scene(const CoachSnapshot& snapshot, const LiveSceneStyle& style, int width_px,
-                          int height_px) {
+                          int height_px, const PicturePart& part) {
   SceneView view;
   view.camera.width_px = width_px;
   view.camera.height_px = height_px;
   view.camera.focal_px = height_px;
   view.camera.centre_px = 0.5 * Vec2(width_px, height_px);
   if (snapshot.camera && snapshot.camera->width_px > 0 && snapshot.camera->height_px > 0)
-    view.camera = scaled_to(*snapshot.camera, width_px, height_px);
+    view.camera = cropped_to(*snapshot.camera, part, width_px, height_px);
   if (snapshot.frame) view.scene.picture = snapshot.frame->image;
+  view.scene.part = part;
   const double outline_px = std::max(1.0, 1.6 * std::min(width_px, height_px) / 720.0);
-  if (snapshot.camera && snapshot.ghost)
+  const bool shows_coach = style.figures == FigureShow::Both && snapshot.ghost;
+  if (snapshot.camera && shows_coach)
     add_body(view.scene, snapshot.ghost->body, coach_style(style.palette), outline_px);
+  if (style.figures == FigureShow::None) return view;
   const bool is_placed = snapshot.camera && snapshot.student && snapshot.student->skeleton;
+  const Vec2 whole = Vec2(width_px, height_px) / part.size();
   if (is_placed)
     add_body(view.scene, *snapshot.student, student_style(style.palette), outline_px);
   else if (snapshot.person && snapshot.frame && snapshot.frame->image)
-    add_flat_person(
-        view.scene, *snapshot.person, student_style(style.palette).bone,
-        Vec2(width_px, height_px) / Vec2(snapshot.frame->image->width, snapshot.frame->image->height));
-  if (is_placed && snapshot.ghost)
+    add_flat_person(view.scene, *snapshot.person, student_style(style.palette).bone,
+                    whole / Vec2(snapshot.frame->image->width, snapshot.frame->image->height),
+                    part.begin * whole);
+  if (is_placed && shows_coach)
     add_closeness(view.scene, *snapshot.student, *snapshot.ghost, style, view.camera);
   return view;
 }

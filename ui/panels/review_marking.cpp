@@ -110,15 +110,21 @@ void use_crosshair_keys(const PanelContext& context) {
 }
 
 constexpr double kTool = 34, kToolGap = 2, kZoomWide = 58;
-constexpr int kTools = 5;
+constexpr int kTools = 6;
 
-bool is_zoomed(const WindowState& state) {
-  return state.zoom.factor > 1.001;
+void zoom_by_hand(WindowState& state, const FilmZoom& zoom) {
+  state.fits_golfer = false;
+  state.zoom = zoom;
+}
+
+void toggle_golfer(WindowState& state) {
+  state.fits_golfer = !state.fits_golfer;
+  if (!state.fits_golfer) state.zoom = {};
 }
 
 // Where the tools lie on the film; empty where there is no room for them.
-Rect tools_area(const WindowState& state, const FilmPlace& place) {
-  const double width = kTools * kTool + (kTools - 1) * kToolGap + (is_zoomed(state) ? kZoomWide : 0) + 8;
+Rect tools_area(const FilmPlace& place) {
+  const double width = kTools * kTool + (kTools - 1) * kToolGap + kZoomWide + 8;
   if (place.area.width < width + 20) return {};
   return {place.area.right() - width - 8, place.area.y + 8, width, kTool + 8};
 }
@@ -127,12 +133,12 @@ void use_pointer(const PanelContext& context, const FilmPlace& place, int pictur
   Ui& ui = context.ui;
   WindowState& state = context.state;
   const Interaction on = ui.region("film", place.area, Focus::Never);
-  if (on.wheel != 0) state.zoom = zoomed(state.zoom, std::exp(0.14 * on.wheel), on.mouse, place);
+  if (on.wheel != 0) zoom_by_hand(state, zoomed(state.zoom, std::exp(0.14 * on.wheel), on.mouse, place));
   const Vec2 at = place.film_from_screen(on.mouse);
   if (state.tool.kind) {
     if (on.hovered && on.drag == Vec2(0) && !on.pressed && glm::length(ui.mouse_moved()) > 0)
       state.tool.crosshair_px.reset();
-    if (tools_area(state, place).contains(on.mouse)) return;
+    if (tools_area(place).contains(on.mouse)) return;
     if (on.pressed) {
       add_point(context, at, picture);
     } else if (on.released && !state.tool.points_px.empty() &&
@@ -141,7 +147,8 @@ void use_pointer(const PanelContext& context, const FilmPlace& place, int pictur
     }
     return;
   }
-  if (on.held && state.zoom.factor > 1) state.zoom = panned(state.zoom, on.drag, place);
+  if (on.held && on.drag != Vec2(0) && state.zoom.factor > 1)
+    zoom_by_hand(state, panned(state.zoom, on.drag, place));
   if (on.clicked)
     state.chosen_drawing = drawing_at(context.model.opened->marks, picture, at, kReach / place.scale());
 }
@@ -182,7 +189,7 @@ void draw_tools(const PanelContext& context, const FilmPlace& place, int picture
   WindowState& state = context.state;
   const Marks& marks = context.model.opened->marks;
   const ThemeScope scope(ui, film_theme(context.theme()));
-  const Rect bar = tools_area(state, place);
+  const Rect bar = tools_area(place);
   if (bar.is_empty()) return;
   const bool is_key = std::binary_search(marks.key_pictures.begin(), marks.key_pictures.end(), picture);
   const bool can_delete = state.chosen_drawing.has_value() || last_drawing(marks, picture).has_value();
@@ -200,10 +207,20 @@ void draw_tools(const PanelContext& context, const FilmPlace& place, int picture
                         .is_on = is_on,
                         .is_enabled = is_enabled});
   };
-  if (is_zoomed(state) &&
-      draw_button(ui, row.take_left(kZoomWide, 0),
-                  {.id = "zoom", .words = zoom_words, .look = ButtonLook::Quiet, .hint = "The whole film"}))
-    state.zoom = {};
+  const std::string zoom_hint = context.hint(
+      state.fits_golfer ? "The whole film" : "The golfer as large as he fits", Command::ToggleGolfer);
+  if (draw_button(ui, row.take_left(kZoomWide, 0),
+                  {.id = "zoom",
+                   .words = zoom_words,
+                   .look = ButtonLook::Quiet,
+                   .hint = zoom_hint,
+                   .is_on = state.fits_golfer}))
+    toggle_golfer(state);
+  const std::string_view figures = state.figures == FigureShow::Both      ? "Your skeleton only"
+                                   : state.figures == FigureShow::Student ? "The film alone"
+                                                                          : "Both skeletons";
+  if (tool("figures", Icon::Body, figures, Command::ChangeFigures, state.figures != FigureShow::None))
+    change_figures(state);
   if (tool("draw line", Icon::Line, "Draw a line", Command::DrawLine, state.tool.kind == DrawingKind::Line))
     choose_tool(context, DrawingKind::Line);
   if (tool("draw angle", Icon::Angle, "Draw an angle", Command::DrawAngle,
@@ -219,6 +236,10 @@ void draw_tools(const PanelContext& context, const FilmPlace& place, int picture
 }
 
 }  // namespace
+
+void change_figures(WindowState& state) {
+  state.figures = static_cast<FigureShow>((static_cast<int>(state.figures) + 1) % 3);
+}
 
 void set_marks(const PanelContext& context, Marks marks) {
   remember(context.state.history, context.model.opened->marks);
@@ -241,9 +262,12 @@ void use_marking_keys(const PanelContext& context) {
       context.want(intent::SetMarks{swing.id, *std::move(again)});
   const FilmPlace place = place_film(state.film_area, track.width, track.height, state.zoom);
   const Vec2 middle = place.area.centre();
-  if (context.pressed(Command::ZoomIn)) state.zoom = zoomed(state.zoom, kZoomStep, middle, place);
-  if (context.pressed(Command::ZoomOut)) state.zoom = zoomed(state.zoom, 1 / kZoomStep, middle, place);
-  if (context.pressed(Command::ZoomWhole)) state.zoom = {};
+  if (context.pressed(Command::ZoomIn)) zoom_by_hand(state, zoomed(state.zoom, kZoomStep, middle, place));
+  if (context.pressed(Command::ZoomOut))
+    zoom_by_hand(state, zoomed(state.zoom, 1 / kZoomStep, middle, place));
+  if (context.pressed(Command::ZoomWhole)) zoom_by_hand(state, {});
+  if (context.pressed(Command::ToggleGolfer)) toggle_golfer(state);
+  if (context.pressed(Command::ChangeFigures)) change_figures(state);
 }
 
 void draw_marking(const PanelContext& context, const FilmPlace& place, int picture) {

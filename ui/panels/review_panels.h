@@ -13,7 +13,10 @@ struct FilmView {
   const ReviewSwing* over = nullptr;  // another student over this one, in the coach's place
   bool is_mirrored = false;
   FilmZoom zoom = {};
+  FigureShow figures = FigureShow::Both;
 };
+// As large as its golfer lets it be in this area; the whole where he is not known.
+FilmZoom golfer_zoom(const ReviewSwing& review, const Rect& area, bool is_mirrored);
 // Where the film lies now.
 FilmPlace draw_film(const PanelContext& context, const Rect& area, const FilmView& film);
 
@@ -28,6 +31,8 @@ void draw_timeline(const PanelContext& context, const Rect& area);
 FilmMarks marks_of(const ReviewSwing& review);
 // The picture that all of them show: one that the film has, whatever the state says.
 int shown_picture(const PanelContext& context);
+// Over the films: both skeletons, only the student's, none, and again.
+void change_figures(WindowState& state);
 // Where the advice is looked at.
 void show_advice(const PanelContext& context, int index);
 

@@ -24,13 +24,22 @@ std::string event_words(const Analysis& analysis, int picture) {
 // The unit stands behind the value.
 std::string metric_title(const Metric& metric) {
   std::string_view name = metric.name;
-  const std::string suffix = "_" + metric.unit;
+  const std::string suffix = "_" + (metric.unit == "%" ? "percent" : metric.unit);
   if (!metric.unit.empty() && name.ends_with(suffix)) name.remove_suffix(suffix.size());
+  for (const std::string_view event : {"_address", "_top", "_impact"})
+    if (name.ends_with(event))
+      return title_from_name(name.substr(0, name.size() - event.size())) + " at " +
+             std::string(event.substr(1));
   return title_from_name(name);
 }
 
 std::string unit_words(const std::string& unit) {
   return unit == "deg" ? "°" : unit.empty() ? "" : " " + unit;
+}
+
+bool is_without_advice(const Analysis& analysis) {
+  return std::all_of(analysis.advice.begin(), analysis.advice.end(),
+                     [](const Advice& advice) { return advice.kind == AdviceKind::None; });
 }
 
 double row_height(const Ui& ui, const Advice& advice, double width) {
@@ -138,6 +147,15 @@ void draw_advice(const PanelContext& context, const Rect& area) {
   const Analysis& analysis = context.model.opened->review->analysis();
   Rect inner = draw_card(ui, area, kPad);
   draw_score(context, inner.take_top(74, 10));
+  if (analysis.student_events.empty() && is_without_advice(analysis)) {
+    ui.text_in(TextStyle::Title, inner.take_top(24, 4), "Only a score this time", context.theme().text);
+    constexpr std::string_view kWhy =
+        "The parts of the swing could not be told apart. Hold your address for a moment before you swing.";
+    const double height = ui.paragraph_height(TextStyle::Body, inner.width, kWhy, 5);
+    ui.paragraph(TextStyle::Body, inner.take_top(height, 14), kWhy, context.theme().quiet, 5);
+    if (inner.height >= 30) draw_moment(context, inner);
+    return;
+  }
   const bool is_alone = analysis.advice.size() == 1 && analysis.advice[0].kind == AdviceKind::None;
   ui.text_in(TextStyle::Title, inner.take_top(24, 4), is_alone ? "No one thing stands out" : "What to change",
              context.theme().text);

@@ -79,6 +79,7 @@ const PersonChoice* current_person(const WindowModel& model) {
 
 void draw_camera_choice(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
+  const Theme& theme = context.theme();
   const WindowModel& model = context.model;
   Rect inner = draw_titled_card(ui, area, "Camera", Icon::Camera);
   if (draw_button(ui, {inner.right() - 34, area.y + 10, 34, 34},
@@ -88,8 +89,14 @@ void draw_camera_choice(const PanelContext& context, const Rect& area) {
                    .hint = "Look for cameras again"}))
     context.want(intent::RefreshCameras{});
   Rect typed = inner.take_bottom(36, 10);
+  const Button film{.id = "choose film",
+                    .words = "A film",
+                    .icon = Icon::Folder,
+                    .hint = "Practise with a recorded film instead of a camera"};
+  if (draw_button(ui, typed.take_left(button_width(ui, film), 8), film))
+    open_import_dialog(context, BrowseFor::Source);
   const Rect use = typed.take_right(64, 8);
-  ui.text_field("typed source", typed, context.state.typed_source, "A film, a device, simulated:putt");
+  ui.text_field("typed source", typed, context.state.typed_source, "Or write: /dev/video0, simulated:putt");
   const bool is_entered = ui.was_entered("typed source") && !context.state.typed_source.empty();
   if (draw_button(ui, use,
                   {.id = "use source", .words = "Use", .is_enabled = !context.state.typed_source.empty()}) ||
@@ -99,6 +106,16 @@ void draw_camera_choice(const PanelContext& context, const Rect& area) {
   for (const CameraEntry& camera : model.cameras)
     if (camera.source == model.source) chosen = &camera;
   if (chosen != nullptr && !chosen->modes.empty()) draw_modes(context, *chosen, inner.take_bottom(36, 10));
+  const bool has_camera =
+      std::any_of(model.cameras.begin(), model.cameras.end(),
+                  [](const CameraEntry& camera) { return camera.source.starts_with("camera:"); });
+  if (!has_camera && !model.cameras.empty()) {
+    constexpr std::string_view kNone = "No camera was found. Plug one in: it appears here.";
+    Rect note = inner.take_top(34, 10);
+    ui.fill(note, theme.raised, radius::kMedium);
+    draw_icon(ui, Icon::Information, note.take_left(38).centre(), 17, theme.accent);
+    ui.text_in(TextStyle::Body, note, kNone, theme.text);
+  }
   const double wanted = static_cast<double>(model.cameras.size()) * (kRow + kGap);
   const Rect content = ui.begin_scroll("cameras", inner, wanted);
   for (std::size_t i = 0; i < model.cameras.size(); ++i) {

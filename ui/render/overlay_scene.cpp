@@ -169,15 +169,20 @@ void add_bodies(Scene& scene, const OverlayMoment& moment, Palette palette, cons
 }  // namespace
 
 PinholeCamera scaled_to(const PinholeCamera& camera, int width_px, int height_px) {
-  POSECOACH_ASSERT(camera.width_px > 0 && camera.height_px > 0);
-  const double x = static_cast<double>(width_px) / camera.width_px;
-  const double y = static_cast<double>(height_px) / camera.height_px;
-  PinholeCamera scaled = camera;
-  scaled.width_px = width_px;
-  scaled.height_px = height_px;
-  scaled.focal_px *= y;
-  scaled.centre_px *= Vec2(x, y);
-  return scaled;
+  return cropped_to(camera, {}, width_px, height_px);
+}
+
+PinholeCamera cropped_to(const PinholeCamera& camera, const PicturePart& part, int width_px, int height_px) {
+  const Vec2 share = part.size();
+  POSECOACH_ASSERT(camera.width_px > 0 && camera.height_px > 0 && share.x > 0 && share.y > 0);
+  const Vec2 whole = Vec2(width_px, height_px) / share;
+  PinholeCamera cropped = camera;
+  cropped.width_px = width_px;
+  cropped.height_px = height_px;
+  cropped.focal_px *= whole.y / camera.height_px;
+  cropped.centre_px *= whole / Vec2(camera.width_px, camera.height_px);
+  cropped.centre_px -= part.begin * whole;
+  return cropped;
 }
 
 OverlayStory make_overlay_story(const Analysis& analysis, Palette palette) {

@@ -16,6 +16,9 @@
 
 namespace posecoach {
 
+// Whose skeletons lie over a film.
+enum class FigureShow { Both, Student, None };
+
 // What stays the same over the film. Fractions in [0, 1] of the student's film and of the coach's motion.
 struct OverlayStory {
   Palette palette = Palette::RedGreen;
@@ -51,5 +54,7 @@ Scene make_bodies_scene(const OverlayMoment& moment, Palette palette, const Pinh
 
 // The same view in another size.
 PinholeCamera scaled_to(const PinholeCamera& camera, int width_px, int height_px);
+// What it sees of this part of its picture, in a picture of this size.
+PinholeCamera cropped_to(const PinholeCamera& camera, const PicturePart& part, int width_px, int height_px);
 
 }  // namespace posecoach

@@ -73,9 +73,17 @@ struct Flat {
   std::optional<Text> text;
 };
 
+// A part of a picture, as fractions of its width and height.
+struct PicturePart {
+  Vec2 begin{0, 0}, end{1, 1};
+  Vec2 size() const { return end - begin; }
+  bool operator==(const PicturePart&) const = default;
+};
+
 struct Scene {
   Colour background_top = colour_from_hex(0x20242C), background_bottom = colour_from_hex(0x14171C);
-  std::shared_ptr<const Image> picture;  // fills the whole; the background where there is none
+  std::shared_ptr<const Image> picture;  // its part fills the whole; the background where there is none
+  PicturePart part;
   std::optional<Floor> floor;
   std::vector<Figure> figures;  // later ones over earlier ones
   std::vector<Flat> flats;

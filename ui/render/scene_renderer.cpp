@@ -43,7 +43,13 @@ struct SceneRenderer::State {
   void resize(int new_width, int new_height);
   void draw_background(const Scene& scene);
   void draw_figure(const Figure& figure, const gl::View& view);
-  void draw_picture(unsigned texture, const gl::PixelBox& box, double opacity) const;
+  void draw_picture(unsigned texture, const gl::PixelBox& box, double opacity,
+                    const PicturePart& source) const;
+  // Of the target.
+  PicturePart fractions_of(const gl::PixelBox& box) const {
+    return {{static_cast<double>(box.left) / width, static_cast<double>(box.top) / height},
+            {static_cast<double>(box.right) / width, static_cast<double>(box.bottom) / height}};
+  }
 };
 
 namespace {
@@ -98,14 +104,15 @@ void SceneRenderer::State::draw_background(const Scene& scene) {
   const gl::PixelBox all{0, 0, width, height};
   if (scene.picture && !scene.picture->empty()) {
     const Image& image = *scene.picture;
-    if (image.width == width && image.height == height) return upload_rgb(target_texture, image);
+    if (image.width == width && image.height == height && scene.part == PicturePart())
+      return upload_rgb(target_texture, image);
     if (image.width != picture_width || image.height != picture_height) {
       picture_texture = gl::make_rgba_texture(image.width, image.height);
       picture_width = image.width;
       picture_height = image.height;
     }
     upload_rgb(picture_texture, image);
-    return draw_picture(picture_texture.id(), all, 1);
+    return draw_picture(picture_texture.id(), all, 1, scene.part);
   }
   picture_program.use();
   glUniform1i(picture_program.uniform("is_gradient"), 1);
@@ -114,18 +121,24 @@ void SceneRenderer::State::draw_background(const Scene& scene) {
   glUniform3f(picture_program.uniform("gradient_top"), top.red, top.green, top.blue);
   glUniform3f(picture_program.uniform("gradient_bottom"), bottom.red, bottom.green, bottom.blue);
   glUniform4f(picture_program.uniform("rectangle"), 0, 0, 1, 1);
+  glUniform4f(picture_program.uniform("source"), 0, 0, 1, 1);
   glBindVertexArray(empty_array.id());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void SceneRenderer::State::draw_picture(unsigned texture, const gl::PixelBox& box, double opacity) const {
-  const auto fraction = [](int value, int of) { return static_cast<float>(value) / static_cast<float>(of); };
+void SceneRenderer::State::draw_picture(unsigned texture, const gl::PixelBox& box, double opacity,
+                                        const PicturePart& source) const {
+  const auto set = [&](const char* name, const PicturePart& part) {
+    glUniform4f(picture_program.uniform(name), static_cast<float>(part.begin.x),
+                static_cast<float>(part.begin.y), static_cast<float>(part.end.x),
+                static_cast<float>(part.end.y));
+  };
   picture_program.use();
   glUniform1i(picture_program.uniform("is_gradient"), 0);
   glUniform1i(picture_program.uniform("picture"), 0);
   glUniform1f(picture_program.uniform("opacity"), static_cast<float>(opacity));
-  glUniform4f(picture_program.uniform("rectangle"), fraction(box.left, width), fraction(box.top, height),
-              fraction(box.right, width), fraction(box.bottom, height));
+  set("rectangle", fractions_of(box));
+  set("source", source);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture);
   glBindVertexArray(empty_array.id());
@@ -150,7 +163,7 @@ void SceneRenderer::State::draw_figure(const Figure& figure, const gl::View& vie
   glBindFramebuffer(GL_FRAMEBUFFER, target.id());
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  draw_picture(layer_texture.id(), box, figure.opacity);
+  draw_picture(layer_texture.id(), box, figure.opacity, fractions_of(box));
 }
 
 SceneRenderer::SceneRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}

@@ -31,7 +31,11 @@ void add_drawing(Scene& scene, const Drawing& drawing, const Vec2& factor, int h
   words.utf8 = decimal(angle_deg(drawing), 0) + "°";
   words.size_px = 15 * unit;
   words.colour = ink;
-  words.baseline = at[1] + Vec2(10, -10) * unit;
+  words.weight = FontWeight::Bold;
+  words.baseline = at[1] + Vec2(16, -14) * unit;
+  const double width = text_width_px(words.utf8, words.weight, words.size_px);
+  scene.add(
+      make_box(words.baseline + Vec2(-7, -16) * unit, Vec2(width + 14 * unit, 22 * unit), 11 * unit, edge));
   scene.add(words);
 }
 

@@ -1,6 +1,7 @@
 #include "ui/review/film_zoom.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 namespace posecoach {
 namespace {
@@ -37,6 +38,38 @@ FilmPlace place_film(const Rect& area, double width_px, double height_px, const 
                y = kept_inside(zoom.centre.y, area.height / height);
   place.whole = {area.centre().x - x * width, area.centre().y - y * height, width, height};
   return place;
+}
+
+FilmZoom zoom_on(const Vec2& from_px, const Vec2& to_px, const Rect& area, double width_px,
+                 double height_px) {
+  constexpr double kLargest = 3;
+  const Vec2 film(std::max(1.0, width_px), std::max(1.0, height_px));
+  const Vec2 from = glm::clamp(from_px / film, Vec2(0), Vec2(1)),
+             to = glm::clamp(to_px / film, Vec2(0), Vec2(1));
+  const Vec2 share = to - from;
+  if (area.is_empty() || !(share.x > 0 && share.y > 0)) return {};
+  const Rect fit = fitted(film.x, film.y, area);
+  FilmZoom zoom;
+  zoom.factor = std::clamp(std::min(area.width / (share.x * fit.width), area.height / (share.y * fit.height)),
+                           1.0, kLargest);
+  zoom.centre = 0.5 * (from + to);
+  const Vec2 size = zoom.factor * fit.size();
+  zoom.centre = {kept_inside(zoom.centre.x, area.width / size.x),
+                 kept_inside(zoom.centre.y, area.height / size.y)};
+  return zoom;
+}
+
+SeenFilm seen_film(const FilmPlace& place) {
+  const Rect& whole = place.whole;
+  const double left = std::max(whole.x, place.area.x), top = std::max(whole.y, place.area.y);
+  SeenFilm seen;
+  seen.on_screen = {left, top, std::max(0.0, std::min(whole.right(), place.area.right()) - left),
+                    std::max(0.0, std::min(whole.bottom(), place.area.bottom()) - top)};
+  const Vec2 begin = (seen.on_screen.corner() - whole.corner()) / whole.size(),
+             end = begin + seen.on_screen.size() / whole.size();
+  seen.part =
+      place.is_mirrored ? PicturePart{{1 - end.x, begin.y}, {1 - begin.x, end.y}} : PicturePart{begin, end};
+  return seen;
 }
 
 FilmZoom zoomed(const FilmZoom& zoom, double by, const Vec2& about, const FilmPlace& place) {

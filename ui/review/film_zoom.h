@@ -2,6 +2,7 @@
 // film's own pixels.
 #pragma once
 
+#include "ui/render/scene.h"
 #include "ui/widgets/rect.h"
 
 namespace posecoach {
@@ -27,6 +28,15 @@ struct FilmPlace {
 };
 FilmPlace place_film(const Rect& area, double width_px, double height_px, const FilmZoom& zoom,
                      bool is_mirrored = false);
+
+// This part of the film, in its pixels, as large as the area lets it be, but no pixel absurdly so.
+FilmZoom zoom_on(const Vec2& from_px, const Vec2& to_px, const Rect& area, double width_px, double height_px);
+// What of the film is seen, and where on the screen.
+struct SeenFilm {
+  PicturePart part;  // of the film as it is stored, not mirrored
+  Rect on_screen;
+};
+SeenFilm seen_film(const FilmPlace& place);
 
 // By this factor about a point of the screen, which stays where it is.
 FilmZoom zoomed(const FilmZoom& zoom, double by, const Vec2& about, const FilmPlace& place);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "ui/review/find_golfer.h"
 
 namespace posecoach {
 namespace {
@@ -88,6 +89,7 @@ std::shared_ptr<const ReviewSwing> make_review_swing(std::shared_ptr<const Analy
       make_replay({analysis, student.motion, student.first_frame, coach, Palette::RedGreen}, kReplaySteps);
   review->tempo = tempo_parts(*review);
   review->apart_m = apart_of(analysis, review->picture_count());
+  review->golfer_px = find_golfer(*swing);
   review->front =
       front_of(student.motion, std::clamp(path.front().first, 0, student.motion.frame_count() - 1));
   return review;

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/pipeline/analyzed_swing.h"
@@ -29,7 +30,10 @@ struct ReviewSwing {
   Replay replay;
   std::vector<TempoPart> tempo;
   std::vector<std::optional<double>> apart_m;  // mean joint error, one a picture
-  double front = 0;                            // angle about +Y of the student's front at address, from +Z
+  // The part of the film, in its pixels, in which the golfer swings, with room for the club; nothing where he
+  // was not seen.
+  std::optional<std::pair<Vec2, Vec2>> golfer_px;
+  double front = 0;  // angle about +Y of the student's front at address, from +Z
 
   const Analysis& analysis() const { return swing->pair.analysis; }
   int picture_count() const { return static_cast<int>(times_s.size()); }

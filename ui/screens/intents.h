@@ -104,6 +104,10 @@ struct KeepShown {
 struct ListFolder {
   std::string path;
 };
+// In the desktop's own file manager.
+struct ShowFolder {
+  std::string path;
+};
 struct KeepLeftover {
   std::string folder;
 };
@@ -134,16 +138,18 @@ struct Quit {};
 
 }  // namespace intent
 
-using Intent = std::variant<
-    intent::ArmHandsFree, intent::DisarmHandsFree, intent::MeasureBody, intent::StopMeasuring,
-    intent::SetPace, intent::SetGhostSpeed, intent::LeaveReplay, intent::OpenLastSwing,
-    intent::StartRecording, intent::StopRecording, intent::TakeSnapshot, intent::ChooseSource,
-    intent::RetrySource, intent::RefreshCameras, intent::ChooseCoach, intent::ChoosePerson, intent::AddPerson,
-    intent::SetHand, intent::SetHeight, intent::OpenSwing, intent::CompareWith, intent::StopComparing,
-    intent::SetStar, intent::SetNotes, intent::TrashSwing, intent::RestoreSwing, intent::MakeReference,
-    intent::ExportSwing, intent::ImportFile, intent::SetMarks, intent::KeepShown, intent::ListFolder,
-    intent::KeepLeftover, intent::TrashLeftover, intent::SetKeys, intent::CancelJob, intent::DismissToast,
-    intent::SetLook, intent::SetTextSize, intent::SetSound, intent::ToggleFullScreen, intent::Quit>;
+using Intent =
+    std::variant<intent::ArmHandsFree, intent::DisarmHandsFree, intent::MeasureBody, intent::StopMeasuring,
+                 intent::SetPace, intent::SetGhostSpeed, intent::LeaveReplay, intent::OpenLastSwing,
+                 intent::StartRecording, intent::StopRecording, intent::TakeSnapshot, intent::ChooseSource,
+                 intent::RetrySource, intent::RefreshCameras, intent::ChooseCoach, intent::ChoosePerson,
+                 intent::AddPerson, intent::SetHand, intent::SetHeight, intent::OpenSwing,
+                 intent::CompareWith, intent::StopComparing, intent::SetStar, intent::SetNotes,
+                 intent::TrashSwing, intent::RestoreSwing, intent::MakeReference, intent::ExportSwing,
+                 intent::ImportFile, intent::SetMarks, intent::KeepShown, intent::ListFolder,
+                 intent::ShowFolder, intent::KeepLeftover, intent::TrashLeftover, intent::SetKeys,
+                 intent::CancelJob, intent::DismissToast, intent::SetLook, intent::SetTextSize,
+                 intent::SetSound, intent::ToggleFullScreen, intent::Quit>;
 using Intents = std::vector<Intent>;
 
 }  // namespace posecoach

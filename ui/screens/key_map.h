@@ -77,6 +77,8 @@ enum class Command {
   ZoomIn,
   ZoomOut,
   ZoomWhole,
+  ToggleGolfer,
+  ChangeFigures,
   SideBySide,
   Superpose,
   PreviousAdvice,

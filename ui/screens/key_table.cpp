@@ -109,6 +109,8 @@ constexpr std::array kBindings = {
     repeated(review(ZoomIn, "zoom_in", "Film larger", control(Key::Plus), control(Key::Equal))),
     repeated(review(ZoomOut, "zoom_out", "Film smaller", control(Key::Minus))),
     review(ZoomWhole, "zoom_whole", "Whole film", control(Key::Digit0)),
+    also_on(review(ToggleGolfer, "golfer", "Golfer large, whole film", plain(Key::Z)), kOnLive),
+    also_on(review(ChangeFigures, "figures", "Skeletons on, off", plain(Key::X)), kOnLive),
     review(SideBySide, "side_by_side", "Two swings beside", plain(Key::F8)),
     review(Superpose, "superpose", "Two swings in one", plain(Key::F9)),
     review(PreviousAdvice, "advice_before", "Advice before", shift(Key::A)),

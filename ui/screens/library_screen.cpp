@@ -60,7 +60,8 @@ void draw_library_screen(const PanelContext& context, const Rect& area) {
     }
     ui.text_in(TextStyle::Strong, inner, "Choose the swing to compare with", context.theme().text);
   }
-  draw_swing_details(context, rest.take_right(std::clamp(0.26 * rest.width, 270.0, 400.0), 14));
+  if (!context.model.swings.empty())
+    draw_swing_details(context, rest.take_right(std::clamp(0.26 * rest.width, 270.0, 400.0), 14));
   draw_swing_cards(context, rest);
   use_keys(context);
   // Enter opens what the arrows chose, unless a button has the keyboard.

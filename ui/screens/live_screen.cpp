@@ -9,7 +9,7 @@
 namespace posecoach {
 namespace {
 
-constexpr double kSide = 290, kStateWide = 320, kMargin = 14, kStatus = 28, kBar = 58;
+constexpr double kSide = 290, kStateWide = 320, kMargin = 20, kStatus = 28, kBar = 58;
 
 bool is_replaying(const WindowModel& model) {
   return model.replay && model.replay->review && model.snapshot && model.snapshot->loop == LoopState::Replay;
@@ -45,10 +45,17 @@ void use_keys(const PanelContext& context) {
   }
   if (context.pressed(Command::Snapshot)) context.want(intent::TakeSnapshot{});
   if (context.pressed(Command::Mirror)) context.state.is_mirrored = !context.state.is_mirrored;
+  if (context.pressed(Command::ToggleGolfer)) context.state.frames_golfer = !context.state.frames_golfer;
+  if (context.pressed(Command::ChangeFigures)) change_figures(context.state);
   if (context.pressed(Command::ChangePace))
     context.want(intent::SetPace{model.pace == Pace::Follow ? Pace::Play : Pace::Follow});
   if (context.pressed(Command::ReviewLast) && model.snapshot && model.snapshot->swing)
     context.want(intent::OpenLastSwing{});
+}
+
+bool has_camera(const WindowModel& model) {
+  return std::any_of(model.cameras.begin(), model.cameras.end(),
+                     [](const CameraEntry& camera) { return camera.source.starts_with("camera:"); });
 }
 
 void draw_notes(const PanelContext& context, Rect area) {
@@ -73,8 +80,9 @@ void draw_notes(const PanelContext& context, Rect area) {
                  kMostLines);
   };
   if (context.model.is_simulated)
-    note("Nobody real: the simulated student plays. Choose a camera in Set-up.", Icon::Information,
-         theme.text);
+    note(has_camera(context.model) ? "The simulated student plays. Choose your camera in Set-up."
+                                   : "No camera is plugged in, so a simulated student plays.",
+         Icon::Information, theme.text);
   if (context.model.snapshot && !context.model.snapshot->coach_message.empty())
     note(context.model.snapshot->coach_message, Icon::Information, theme.text);
   if (context.model.snapshot && !context.model.snapshot->swing_message.empty())
@@ -91,7 +99,10 @@ void draw_replay_film(const PanelContext& context, const Rect& area) {
             {.name = "replay",
              .swing = &*context.model.replay,
              .picture = state.replay.frame,
-             .is_mirrored = state.is_mirrored});
+             .is_mirrored = state.is_mirrored,
+             .zoom = state.frames_golfer ? golfer_zoom(*context.model.replay->review, area, state.is_mirrored)
+                                         : FilmZoom{},
+             .figures = state.figures});
 }
 
 }  // namespace
@@ -103,7 +114,8 @@ void draw_live_screen(const PanelContext& context, const Rect& area) {
   use_keys(context);
   const bool replays = is_replaying(context.model);
   if (replays)
-    draw_replay_film(context, rest);
+    draw_replay_film(
+        context, {rest.x, rest.y, rest.width - answer_width(rest.inset(kMargin)) - 2 * kMargin, rest.height});
   else
     draw_live_picture(context, rest);
   const ThemeScope scope(context.ui, film);
@@ -121,10 +133,13 @@ void draw_live_screen(const PanelContext& context, const Rect& area) {
   if (checks > 0) draw_set_up_checks(context, right.take_top(checks, 12));
   const double address = std::min(address_advice_height(context, right.width), right.height);
   if (address > 60) draw_address_advice(context, right.take_top(address));
-  draw_state_banner(context, inner.take_left(std::min(kStateWide, inner.width)));
+  Rect left = inner.take_left(std::min(kStateWide, inner.width));
+  draw_state_banner(context, left);
+  if (shows_first_steps(context.model, context.state))
+    draw_first_steps(context, left.take_top(std::min(first_steps_height(context, left.width), left.height)));
   draw_source_message(context, rest);
   draw_measuring(context, rest);
-  const double bar_width = std::min(bar.width, 1010.0);
+  const double bar_width = std::min(bar.width, 1096.0);
   draw_live_controls(context, {bar.centre().x - 0.5 * bar_width, bar.y, bar_width, bar.height});
 }
 

@@ -26,6 +26,7 @@ void adopt_swing(const PanelContext& context) {
     return;
   }
   state.zoom = {};
+  state.fits_golfer = true;
   state.tool = {};
   state.history = {};
   state.chosen_drawing.reset();

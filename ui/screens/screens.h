@@ -13,6 +13,9 @@ void draw_review_screen(const PanelContext& context, const Rect& area);
 void draw_library_screen(const PanelContext& context, const Rect& area);
 void draw_set_up_screen(const PanelContext& context, const Rect& area);
 
+// Before there is anything to show.
+void draw_starting(Ui& ui, const Rect& area);
+
 // Rail, screen, messages, dialogs, keys.
 void draw_window(const PanelContext& context, const Rect& area);
 

@@ -9,9 +9,9 @@ void draw_set_up_screen(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   ui.fill(area, context.theme().background);
   Rect rest = area.inset(18, 14);
-  ui.text_in(TextStyle::Heading, rest.take_top(38, 14), "Set-up", context.theme().text);
   const double width = std::min(rest.width, 1500.0);
-  rest = {rest.x, rest.y, width, std::min(rest.height, 760.0)};
+  rest = {rest.centre().x - 0.5 * width, rest.y, width, std::min(rest.height, 812.0)};
+  ui.text_in(TextStyle::Heading, rest.take_top(38, 14), "Set-up", context.theme().text);
   Rect left = rest.column(0, 2, 14), right = rest.column(1, 2, 14);
   draw_camera_choice(context, left.take_top(0.52 * left.height, 14));
   draw_person(context, left);

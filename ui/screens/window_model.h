@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "core/pipeline/coach_snapshot.h"
+#include "ui/render/overlay_scene.h"
 #include "ui/review/film_zoom.h"
+#include "ui/review/live_framing.h"
 #include "ui/review/mark_edit.h"
 #include "ui/review/orbit.h"
 #include "ui/review/playback.h"
@@ -37,6 +39,7 @@ struct PersonChoice {
 
 struct SwingCard {
   std::string id, title, when, person, coach, stroke, notes;
+  std::string date;  // `when` with its date in digits, for searching
   std::optional<double> score_percent;
   double seconds = 0;
   bool is_starred = false, is_trashed = false;
@@ -63,6 +66,7 @@ struct Toast {
 struct ShownPicture {
   int frame = 0;
   std::shared_ptr<const Image> image;
+  double waited_s = 0;  // for the wanted one
 };
 using PictureLookup = std::function<std::optional<ShownPicture>(int wanted)>;
 
@@ -140,20 +144,25 @@ struct KeyChoice {
 };
 
 // What a file is chosen for.
-enum class BrowseFor { Swing, Coach };
+enum class BrowseFor { Swing, Coach, Source };
 
 struct WindowState {
   ScreenName screen = ScreenName::Live;
   bool shows_keys = false, is_changing_keys = false;
   std::optional<KeyChoice> key_choice;
-  bool is_mirrored = false;  // of the pictures shown only; nothing stored changes
+  bool is_mirrored = false;   // of the pictures shown only; nothing stored changes
+  bool frames_golfer = true;  // live and in the replay: he is shown as large as fits
+  LiveFraming framing;
+  bool hides_first_steps = false;  // until the next start
 
   Playback replay{.is_playing = true, .speed = 0.5, .loop = LoopMode::Whole};
   Playback playback;
   std::shared_ptr<const ReviewSwing> played;  // whose playback that is
   std::string played_id;
   Orbit orbit = kFrontOrbit;
+  bool fits_golfer = true;  // the film is as large as the golfer lets it be; `zoom` follows
   FilmZoom zoom;
+  FigureShow figures = FigureShow::Both;  // over the films
   DrawingTool tool;
   std::optional<std::size_t> chosen_drawing;
   MarkHistory history;

@@ -38,6 +38,16 @@ void draw_screen(const PanelContext& context, const Rect& area) {
 
 }  // namespace
 
+void draw_starting(Ui& ui, const Rect& area) {
+  const Theme& theme = ui.theme();
+  ui.fill(area, theme.background);
+  const Vec2 at = area.centre() + Vec2(0, -34);
+  ui.disc(at + Vec2(-15, 0), 38, theme.coach);
+  ui.disc(at + Vec2(15, 0), 38, theme.student.with_alpha(0.9F));
+  ui.text(TextStyle::Heading, area.centre() + Vec2(0, 48), "Virtual Pose Coach", theme.text, Align::Centre);
+  ui.text(TextStyle::Body, area.centre() + Vec2(0, 76), "Starting", theme.quiet, Align::Centre);
+}
+
 void draw_window(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   WindowState& state = context.state;

@@ -234,9 +234,12 @@ void draw_empty(Ui& ui, const Rect& rect, Icon icon, std::string_view title, std
   const Theme& theme = ui.theme();
   const double width = std::min(420.0, rect.width - 2 * space::kLarge);
   const double below = ui.paragraph_height(TextStyle::Body, width, words, 4);
-  const double height = 44 + space::kMedium + 28 + below;
+  constexpr double kDisc = 76;
+  const double height = kDisc + space::kLarge + 28 + below;
   Rect area{rect.centre().x - 0.5 * width, rect.centre().y - 0.5 * height, width, height};
-  draw_icon(ui, icon, area.take_top(44, space::kMedium).centre(), 40, theme.faint);
+  const Vec2 at = area.take_top(kDisc, space::kLarge).centre();
+  ui.disc(at, 0.5 * kDisc, mix(theme.surface, theme.raised, 0.7F));
+  draw_icon(ui, icon, at, 36, mix(theme.accent, theme.quiet, 0.4F));
   ui.text_in(TextStyle::Title, area.take_top(28), title, theme.text, Align::Centre);
   ui.paragraph(TextStyle::Body, area, words, theme.quiet, 4, Align::Centre);
 }

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "core/image/image_codec.h"
 #include "tests/support/image_compare.h"
 #include "tests/support/sample_window.h"
 #include "tests/support/test_window.h"
+#include "ui/panels/live_panels.h"
 #include "ui/screens/screens.h"
 
 namespace posecoach {
@@ -52,6 +55,22 @@ TEST(Screens, live_states) {
   EXPECT_TRUE(matches_golden(drawn(live(LoopState::Replay), kDark), "screen_live_replay", kScreenTolerance));
 }
 
+TEST(Screens, who_has_no_swing_yet_is_told_how_to_begin) {
+  SampleWindow window = live(LoopState::Off);
+  window.model.swings.clear();
+  window.model.is_simulated = true;
+  window.model.cameras.erase(window.model.cameras.begin());
+  CoachSnapshot snapshot = *window.model.snapshot;
+  snapshot.checks.resize(3);
+  snapshot.address_advice.clear();
+  window.model.snapshot = std::make_shared<const CoachSnapshot>(snapshot);
+  EXPECT_TRUE(matches_golden(drawn(window, kDark), "screen_live_first", kScreenTolerance));
+  EXPECT_TRUE(shows_first_steps(window.model, window.state));
+  snapshot.loop = LoopState::Armed;
+  window.model.snapshot = std::make_shared<const CoachSnapshot>(snapshot);
+  EXPECT_FALSE(shows_first_steps(window.model, window.state));
+}
+
 TEST(Screens, live_while_measuring_and_when_the_camera_is_lost) {
   SampleWindow window = live(LoopState::Off);
   CoachSnapshot snapshot = *window.model.snapshot;
@@ -86,6 +105,55 @@ TEST(Screens, review_of_two_swings) {
   EXPECT_TRUE(matches_golden(drawn(window, kDark), "screen_review_side_by_side", kScreenTolerance));
   window.state.compare = CompareLook::Superposed;
   EXPECT_TRUE(matches_golden(drawn(window, kDark), "screen_review_superposed", kScreenTolerance));
+}
+
+// Bodies and picture are those of the moment that is seen; the sign names the one that is wanted.
+TEST(Screens, review_says_when_the_wanted_picture_is_still_being_fetched) {
+  SampleWindow window = quiet(on_screen(normal_window(), ScreenName::Review));
+  window.model.opened->marks = {};
+  const PictureLookup all = window.model.opened->picture;
+  double waited_s = 0.1;
+  window.model.opened->picture = [&](int wanted) {
+    std::optional<ShownPicture> shown = all(wanted - 9);
+    shown->waited_s = waited_s;
+    return shown;
+  };
+  const Image patient = drawn(window, kDark);
+  waited_s = 0.4;
+  const Image waiting = drawn(window, kDark);
+  EXPECT_GT(image_difference(patient, waiting, 40).outlier_fraction, 0.001);
+  EXPECT_TRUE(matches_golden(waiting, "screen_review_waiting", kScreenTolerance));
+}
+
+// A left-hander beside a right-hander is seen in a mirror, so that both swing the same way.
+TEST(Screens, swings_of_both_hands_are_compared_in_a_mirror) {
+  SampleWindow window = quiet(on_screen(normal_window(), ScreenName::Review));
+  auto left_handed = std::make_shared<AnalyzedSwing>(*sample_review()->swing);
+  left_handed->pair.analysis.student.hand = Handedness::Left;
+  window.model.compared = window.model.opened;
+  window.model.compared->review = make_review_swing(left_handed);
+  window.model.opened->marks = {};
+  window.state.figures = FigureShow::None;
+  const Image both = drawn(window, kDark);
+  // The golfer's blue shirt, left and right of the middle between the films.
+  const auto columns_of_shirt = [&](int begin, int end) {
+    std::vector<int> columns;
+    for (int x = begin; x < end; ++x)
+      for (int y = 110; y < 330; ++y) {
+        const std::uint8_t* const pixel = both.pixel(x, y);
+        if (pixel[2] > 90 && pixel[2] > 2 * pixel[0] && pixel[2] > pixel[1] + 40)
+          columns.push_back(x - begin);
+      }
+    return columns;
+  };
+  const auto mean = [](const std::vector<int>& columns) {
+    return std::accumulate(columns.begin(), columns.end(), 0.0) / static_cast<double>(columns.size());
+  };
+  const std::vector<int> first = columns_of_shirt(98, 526), second = columns_of_shirt(534, 962);
+  ASSERT_GT(first.size(), 300U);
+  ASSERT_NEAR(static_cast<double>(first.size()), static_cast<double>(second.size()),
+              0.1 * static_cast<double>(first.size()));
+  EXPECT_NEAR(mean(first) + mean(second), 427, 6);
 }
 
 TEST(Screens, library_and_set_up) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -62,6 +63,35 @@ TEST(FilmZoom, no_gap_ever_opens_beside_a_film_that_is_larger_than_its_area) {
       EXPECT_LE(now.whole.y, kArea.y + 1e-6);
       EXPECT_GE(now.whole.bottom(), kArea.bottom() - 1e-6);
     }
+  }
+}
+
+TEST(FilmZoom, a_part_of_the_film_is_as_large_as_it_fits) {
+  const Vec2 from(800, 300), to(1100, 900);
+  const FilmZoom zoom = zoom_on(from, to, kArea, kWidth, kHeight);
+  const FilmPlace place = place_film(kArea, kWidth, kHeight, zoom);
+  EXPECT_NEAR(place.screen_from_film(from).y, kArea.y, 1e-6);
+  EXPECT_NEAR(place.screen_from_film(to).y, kArea.bottom(), 1e-6);
+  EXPECT_GT(place.screen_from_film(from).x, kArea.x);
+  EXPECT_LT(place.screen_from_film(to).x, kArea.right());
+  // Who fills the film, and nothing at all, leave it whole.
+  EXPECT_EQ(zoom_on({-50, -50}, {kWidth + 50, kHeight + 50}, kArea, kWidth, kHeight).factor, 1);
+  EXPECT_EQ(zoom_on(from, from, kArea, kWidth, kHeight), FilmZoom());
+}
+
+TEST(FilmZoom, what_is_seen_of_the_film_is_what_lies_on_the_area) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int round = 0; round < 100; ++round) {
+    const FilmZoom zoom{1 + 7 * unit(random), {unit(random), unit(random)}};
+    const FilmPlace place = place_film(kArea, kWidth, kHeight, zoom, round % 2 == 0);
+    const SeenFilm seen = seen_film(place);
+    const Vec2 begin = seen.part.begin * Vec2(kWidth, kHeight), end = seen.part.end * Vec2(kWidth, kHeight);
+    const Vec2 a = place.screen_from_film(begin), b = place.screen_from_film(end);
+    EXPECT_NEAR(std::min(a.x, b.x), seen.on_screen.x, 1e-6);
+    EXPECT_NEAR(std::max(a.x, b.x), seen.on_screen.right(), 1e-6);
+    EXPECT_NEAR(a.y, seen.on_screen.y, 1e-6);
+    EXPECT_NEAR(b.y, seen.on_screen.bottom(), 1e-6);
   }
 }
 

@@ -139,12 +139,25 @@ TEST_F(WindowUse, key_pictures_are_where_ctrl_and_arrows_stop) {
 
 TEST_F(WindowUse, the_film_comes_nearer_by_keys) {
   frame();
+  EXPECT_GT(state().zoom.factor, 1.2);  // the golfer, as large as he fits
+  press("Ctrl+0");
   press_all({"Ctrl+Plus", "Ctrl+="});
   EXPECT_NEAR(state().zoom.factor, 1.5625, 1e-9);
   press("Ctrl+Minus");
   EXPECT_NEAR(state().zoom.factor, 1.25, 1e-9);
+  press("Z");
+  frame();
+  EXPECT_GT(state().zoom.factor, 1.2);
   press("Ctrl+0");
   EXPECT_EQ(state().zoom, FilmZoom());
+}
+
+TEST_F(WindowUse, skeletons_are_taken_off_the_film_one_after_the_other) {
+  frame();
+  for (const FigureShow wanted : {FigureShow::Student, FigureShow::None, FigureShow::Both}) {
+    press("X");
+    EXPECT_EQ(state().figures, wanted);
+  }
 }
 
 TEST_F(WindowUse, a_key_is_changed_in_the_sheet_by_keys_alone_and_counts_at_once) {
