@@ -175,7 +175,7 @@ FrameInput GlfwWindow::next_input(double longest_wait_s, double text_size) {
   glfwGetWindowContentScale(window_, &scale_x, &scale_y);
   // In steps, so that fonts are sharp and not made anew at every turn. A large window is larger in
   // everything, whatever the display says: it is looked at from further away.
-  constexpr double kUsualWidth = 1536, kUsualHeight = 864;
+  constexpr double kUsualWidth = 1536, kUsualHeight = 820;
   const double room = std::floor(4 * std::min(width_px / kUsualWidth, height_px / kUsualHeight)) / 4;
   const double wanted = std::max({static_cast<double>(std::max(scale_x, scale_y)), room}) * text_size;
   input.scale = std::clamp(std::round(4 * wanted) / 4, 0.75, 4.0);

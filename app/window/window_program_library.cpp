@@ -210,7 +210,14 @@ void WindowProgram::import_file(const std::string& path, WindowState& state) {
                  ImportOptions here = options;
                  here.load.progress = progress;
                  const Result<Imported> imported = import_swings(*library_, path, here);
-                 if (!imported) return tl::unexpected(imported.error());
+                 if (!imported)
+                   return JobQueue::Finish([this, error = imported.error()] {
+                     refresh_swings();  // it may have been listed while it was there
+                     if (error.code == ErrorCode::Cancelled)
+                       tell(ToastKind::Information, "Stopped; nothing of it is in the library.");
+                     else
+                       tell(ToastKind::Warning, error.message);
+                   });
                  return JobQueue::Finish([this, imported = *imported] {
                    refresh_swings();
                    for (const std::string& remark : imported.remarks) tell(ToastKind::Warning, remark);

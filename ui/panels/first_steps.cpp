@@ -15,6 +15,12 @@ struct Step {
   bool is_done = false;
 };
 
+// The first of its keys.
+std::string key_of(const KeyMap& keys, Command command) {
+  const std::string words = key_words(keys, command);
+  return words.substr(0, words.find("  or"));
+}
+
 std::array<Step, 3> steps_of(const WindowModel& model, const KeyMap& keys) {
   bool is_seen = false, is_measured = false;
   if (model.snapshot && !model.snapshot->checks.empty())
@@ -25,10 +31,10 @@ std::array<Step, 3> steps_of(const WindowModel& model, const KeyMap& keys) {
   return {
       {{"Stand where all of you is seen", "The list at the right says how.", is_seen},
        {"Measure your body",
-        "Press " + key_words(keys, Command::Measure) + " and stand still: the coach gets your arms and legs.",
+        "Press " + key_of(keys, Command::Measure) + " and stand still: the coach gets your arms and legs.",
         is_measured},
        {"Start hands-free and swing",
-        "Press " + key_words(keys, Command::HandsFree) +
+        "Press " + key_of(keys, Command::HandsFree) +
             ", step back, take your address. Each swing is found, replayed and kept.",
         false}}};
 }

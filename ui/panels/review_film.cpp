@@ -153,7 +153,8 @@ FilmPlace draw_film(const PanelContext& context, const Rect& area, const FilmVie
   const bool fills = seen.on_screen.width >= area.width - 1 && seen.on_screen.height >= area.height - 1;
   ui.texture(texture, seen.on_screen, fills ? radius::kMedium : 0, film.is_mirrored);
   constexpr double kPatience_s = 0.15;
-  if (shown->frame != film.picture && shown->waited_s > kPatience_s) draw_waiting(ui, area, film.picture);
+  if (film.says_when_late && shown->frame != film.picture && shown->waited_s > kPatience_s)
+    draw_waiting(ui, area, film.picture);
   return place;
 }
 

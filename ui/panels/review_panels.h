@@ -14,6 +14,7 @@ struct FilmView {
   bool is_mirrored = false;
   FilmZoom zoom = {};
   FigureShow figures = FigureShow::Both;
+  bool says_when_late = true;  // that another picture than the wanted one is seen
 };
 // As large as its golfer lets it be in this area; the whole where he is not known.
 FilmZoom golfer_zoom(const ReviewSwing& review, const Rect& area, bool is_mirrored);

@@ -102,7 +102,8 @@ void draw_replay_film(const PanelContext& context, const Rect& area) {
              .is_mirrored = state.is_mirrored,
              .zoom = state.frames_golfer ? golfer_zoom(*context.model.replay->review, area, state.is_mirrored)
                                          : FilmZoom{},
-             .figures = state.figures});
+             .figures = state.figures,
+             .says_when_late = false});
 }
 
 }  // namespace
