@@ -64,7 +64,7 @@ struct PreparedCone {
   float sine, cosine;
   float side_constant, begin_constant, end_constant;
   float begin_along;  // -begin . axis
-  Colour colour;
+  SurfaceColour colour;
 
   PreparedCone(const RoundCone& cone, const View& view)
       : begin(view.to_camera(snapped(cone.begin))),

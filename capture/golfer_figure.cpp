@@ -12,23 +12,23 @@ namespace {
 
 using enum HumanoidJoint;
 
-constexpr Colour kSkin = {0.87F, 0.65F, 0.53F};
-constexpr Colour kEar = {0.72F, 0.48F, 0.40F};
-constexpr Colour kBrow = {0.52F, 0.36F, 0.27F};
-constexpr Colour kLips = {0.70F, 0.34F, 0.33F};
-constexpr Colour kHair = {0.23F, 0.15F, 0.10F};
-constexpr Colour kEyeWhite = {0.96F, 0.95F, 0.94F};
-constexpr Colour kPupil = {0.10F, 0.08F, 0.08F};
-constexpr Colour kShirt = {0.16F, 0.38F, 0.78F};
-constexpr Colour kCollar = {0.86F, 0.89F, 0.95F};
-constexpr Colour kBelt = {0.62F, 0.58F, 0.52F};
-constexpr Colour kTrousers = {0.15F, 0.16F, 0.20F};
-constexpr Colour kShoe = {0.96F, 0.96F, 0.96F};
-constexpr Colour kSole = {0.55F, 0.55F, 0.56F};
-constexpr Colour kGrip = {0.08F, 0.08F, 0.08F};
-constexpr Colour kShaft = {0.72F, 0.74F, 0.77F};
-constexpr Colour kClubHead = {0.46F, 0.48F, 0.52F};
-constexpr Colour kBall = {1.0F, 1.0F, 1.0F};
+constexpr SurfaceColour kSkin = {0.87F, 0.65F, 0.53F};
+constexpr SurfaceColour kEar = {0.72F, 0.48F, 0.40F};
+constexpr SurfaceColour kBrow = {0.52F, 0.36F, 0.27F};
+constexpr SurfaceColour kLips = {0.70F, 0.34F, 0.33F};
+constexpr SurfaceColour kHair = {0.23F, 0.15F, 0.10F};
+constexpr SurfaceColour kEyeWhite = {0.96F, 0.95F, 0.94F};
+constexpr SurfaceColour kPupil = {0.10F, 0.08F, 0.08F};
+constexpr SurfaceColour kShirt = {0.16F, 0.38F, 0.78F};
+constexpr SurfaceColour kCollar = {0.86F, 0.89F, 0.95F};
+constexpr SurfaceColour kBelt = {0.62F, 0.58F, 0.52F};
+constexpr SurfaceColour kTrousers = {0.15F, 0.16F, 0.20F};
+constexpr SurfaceColour kShoe = {0.96F, 0.96F, 0.96F};
+constexpr SurfaceColour kSole = {0.55F, 0.55F, 0.56F};
+constexpr SurfaceColour kGrip = {0.08F, 0.08F, 0.08F};
+constexpr SurfaceColour kShaft = {0.72F, 0.74F, 0.77F};
+constexpr SurfaceColour kClubHead = {0.46F, 0.48F, 0.52F};
+constexpr SurfaceColour kBall = {1.0F, 1.0F, 1.0F};
 
 double at_rest_distance(const Skeleton& skeleton, HumanoidJoint a, HumanoidJoint b) {
   return glm::distance(skeleton.rest_positions()[static_cast<std::size_t>(skeleton.find(a))],
@@ -126,10 +126,10 @@ ConeScene GolferFigure::scene(const Posed& posed) const {
   ConeScene scene;
   const double s = size_;
   const auto cone = [&](const Vec3& a, double radius_a, const Vec3& b, double radius_b,
-                        const Colour& colour) {
+                        const SurfaceColour& colour) {
     scene.cones.push_back({a, b, radius_a * s, radius_b * s, colour});
   };
-  const auto ball = [&](const Vec3& centre, double radius, const Colour& colour) {
+  const auto ball = [&](const Vec3& centre, double radius, const SurfaceColour& colour) {
     cone(centre, radius, centre, radius, colour);
   };
   const auto mix = [](const Vec3& a, const Vec3& b, double part) { return a + part * (b - a); };
@@ -220,7 +220,7 @@ ConeScene GolferFigure::scene(const Posed& posed) const {
 
   // Club: its sizes do not follow the body's.
   const auto fixed = [&](const Vec3& a, double radius_a, const Vec3& b, double radius_b,
-                         const Colour& colour) {
+                         const SurfaceColour& colour) {
     scene.cones.push_back({a, b, radius_a, radius_b, colour});
   };
   const ClubPose& club = posed.club;

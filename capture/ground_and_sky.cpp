@@ -29,7 +29,7 @@ Image draw_ground_and_sky(const PinholeCamera& camera) {
     for (int x = 0; x < image.width; ++x) {
       const Float3 ray = glm::normalize(
           view.direction_to_world(view.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)));
-      Colour colour;
+      SurfaceColour colour;
       if (ray.y >= 0) {
         const float up = std::min(1.0F, ray.y * 2.2F);
         colour = {0.83F - 0.33F * up, 0.89F - 0.20F * up, 0.95F - 0.04F * up};

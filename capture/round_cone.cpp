@@ -13,7 +13,7 @@ namespace {
 using namespace cone_ray;
 
 // Daylight from above, a little from the left behind the camera.
-Colour shaded(const Colour& colour, const Float3& normal_world, const Float3& light) {
+SurfaceColour shaded(const SurfaceColour& colour, const Float3& normal_world, const Float3& light) {
   const float sun = std::max(0.0F, glm::dot(normal_world, light));
   const float sky = 0.5F + 0.5F * normal_world.y;
   const float brightness = 0.50F + 0.18F * sky + 0.42F * sun;
@@ -154,11 +154,11 @@ class SceneDrawing {
     return view_.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
   }
 
-  Colour colour_of(const PreparedCone& cone, const Float3& normal) const {
+  SurfaceColour colour_of(const PreparedCone& cone, const Float3& normal) const {
     return shaded(cone.colour, view_.direction_to_world(normal), light_);
   }
 
-  void write(int x, int y, const Colour& colour) {
+  void write(int x, int y, const SurfaceColour& colour) {
     for (std::size_t c = 0; c < 3; ++c) image_.pixel(x, y)[c] = to_byte(colour[c]);
   }
 
@@ -184,12 +184,12 @@ class SceneDrawing {
     static constexpr std::array<std::array<float, 2>, 4> kSamples = {
         {{0.375F, 0.125F}, {0.875F, 0.375F}, {0.125F, 0.625F}, {0.625F, 0.875F}}};
     const std::uint8_t* behind = image_.pixel(x, y);
-    Colour sum{};
+    SurfaceColour sum{};
     for (const auto& sample : kSamples) {
       const Float3 ray = view_.ray(static_cast<float>(x) + sample[0], static_cast<float>(y) + sample[1]);
       float nearest = kFar;
-      Colour colour{static_cast<float>(behind[0]) / 255.0F, static_cast<float>(behind[1]) / 255.0F,
-                    static_cast<float>(behind[2]) / 255.0F};
+      SurfaceColour colour{static_cast<float>(behind[0]) / 255.0F, static_cast<float>(behind[1]) / 255.0F,
+                           static_cast<float>(behind[2]) / 255.0F};
       for (std::size_t i = 0; i < count; ++i) {
         const PreparedCone& cone = cones_[seen[i] - 1U];
         const auto touch = cone.touch(ray);

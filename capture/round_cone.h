@@ -10,12 +10,12 @@
 
 namespace posecoach {
 
-using Colour = std::array<float, 3>;  // red, green, blue in [0, 1], as shown
+using SurfaceColour = std::array<float, 3>;  // red, green, blue in [0, 1], as shown
 
 struct RoundCone {
   Vec3 begin, end;  // world, metres
   double begin_radius = 0, end_radius = 0;
-  Colour colour{};
+  SurfaceColour colour{};
 };
 
 // A soft dark spot on the ground.

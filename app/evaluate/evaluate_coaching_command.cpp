@@ -20,30 +20,20 @@ struct Arguments {
   bool lists_cases = false;
 };
 
-// Enough for the pose networks, which look at 256 by 256 pixels.
-constexpr int kWidth = 960, kHeight = 540;
-
-Result<SimulatedStudentOptions> film_of(const BenchCase& one) {
-  SimulatedStudentOptions options;
-  options.name = name_of(one);
-  options.motion = one.motion;
-  if (one.fault) options.faults.push_back({one.fault, one.amount});
-  options.body_name = one.body.name;
-  options.body = make_standard_body(one.body.proportions);
-  options.hand = one.hand;
-  options.view = {one.eye == BenchEye::FaceOn ? CameraView::FaceOn : CameraView::DownTheLine,
-                  one.camera_turned_deg};
-  options.frames_per_second = one.frames_per_second;
-  options.width = kWidth;
-  options.height = kHeight;
-  return options;
+SimulatedStudentOptions film_of(const BenchCase& one) {
+  SimulatedStudentOptions film = bench_film(
+      one.motion, make_standard_body(one.body.proportions), one.hand,
+      {one.eye == BenchEye::FaceOn ? CameraView::FaceOn : CameraView::DownTheLine, one.camera_turned_deg},
+      one.frames_per_second);
+  film.name = name_of(one);
+  film.body_name = one.body.name;
+  if (one.fault) film.faults.push_back({one.fault, one.amount});
+  return film;
 }
 
 // The eye of the camera.
 Result<StudentInput> see_film(const BenchCase& one, FilmedStudents& films) {
-  const Result<SimulatedStudentOptions> film = film_of(one);
-  if (!film) return tl::unexpected(film.error());
-  const Result<PoseTrack> track = films.track(name_of(one), *film);
+  const Result<PoseTrack> track = films.track(name_of(one), film_of(one));
   if (!track) return tl::unexpected(track.error());
   const Result<LiftedStudent> lifted = lift(*track);
   if (!lifted) return tl::unexpected(lifted.error());
@@ -71,6 +61,16 @@ void print(const std::vector<BenchRow>& rows) {
   }
 }
 
+void print(const std::vector<BenchAgreement>& rows) {
+  if (rows.empty()) return;
+  std::printf("\n%-14s %-6s %12s %12s %14s %22s\n", "through", "motion", "of two rates", "same first",
+              "score within", "metrics within +-");
+  for (const BenchAgreement& row : rows)
+    std::printf("%-14s %-6s %12d %12s %14s %14d of %d\n", std::string(to_string(row.eye)).c_str(),
+                row.motion.c_str(), row.pairs, percent(row.same_first, row.pairs).c_str(),
+                percent(row.scores_within, row.pairs).c_str(), row.metrics_within, row.metrics);
+}
+
 nlohmann::ordered_json json_of(const std::vector<BenchRow>& rows, const std::vector<BenchAnswer>& answers,
                                bool lists_cases) {
   nlohmann::ordered_json json = {
@@ -87,12 +87,24 @@ nlohmann::ordered_json json_of(const std::vector<BenchRow>& rows, const std::vec
                             {"false_alarms", row.false_alarms},
                             {"score_mean", row.percent_mean},
                             {"score_least", row.percent_least}});
+  for (const BenchAgreement& row : agreement_of_frame_rates(answers))
+    json["frame_rates"].push_back({{"through", to_string(row.eye)},
+                                   {"motion", row.motion},
+                                   {"pairs", row.pairs},
+                                   {"same_first", row.same_first},
+                                   {"scores_within", row.scores_within},
+                                   {"metrics", row.metrics},
+                                   {"metrics_within", row.metrics_within}});
   if (!lists_cases) return json;
   json["cases"] = nlohmann::json::array();
   for (const BenchAnswer& answer : answers) {
-    nlohmann::ordered_json one = {{"name", name_of(answer.asked)},     {"refusal", answer.refusal},
-                                  {"score", answer.percent},           {"rank", answer.rank},
-                                  {"amount_told", answer.amount_told}, {"amount_true", answer.amount_true},
+    nlohmann::ordered_json one = {{"name", name_of(answer.asked)},
+                                  {"refusal", answer.refusal},
+                                  {"score", answer.percent},
+                                  {"plus_minus", answer.plus_minus},
+                                  {"rank", answer.rank},
+                                  {"amount_told", answer.amount_told},
+                                  {"amount_true", answer.amount_true},
                                   {"advice", nlohmann::json::array()}};
     for (const Advice& advice : answer.advice)
       one["advice"].push_back(
@@ -128,7 +140,10 @@ Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   const auto answers = run_fault_bench(*cases, see, bar.progress());
   if (!answers) return tl::unexpected(answers.error());
   const std::vector<BenchRow> rows = tally(*answers);
-  if (arguments.json != "-") print(rows);
+  if (arguments.json != "-") {
+    print(rows);
+    print(agreement_of_frame_rates(*answers));
+  }
   if (arguments.json.empty()) return {};
   return write_file_atomically(arguments.json, json_of(rows, *answers, arguments.lists_cases).dump(1) + "\n");
 }

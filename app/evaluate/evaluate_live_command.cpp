@@ -42,8 +42,6 @@ struct Outcome {
   double ghost_takeaway = 0;                 // the same, in the first half of the backswing
 };
 
-// Small pictures: nobody looks at them.
-constexpr int kWidth = 960, kHeight = 540;
 constexpr double kStanding_s = 5, kHolding_s = 1.5, kLeaving_s = 1.5;
 // What still moves in the pose stage's answers when nobody does.
 constexpr double kTremble_px = 0.15, kTremble_m = 0.0007;
@@ -63,16 +61,11 @@ class LiveBench {
   LiveBench(const Arguments& arguments, FilmedStudents& films) : arguments_(arguments), films_(films) {}
 
   Result<Outcome> run(const Case& one) {
-    SimulatedStudentOptions options;
-    options.motion = one.motion;
-    options.body = *find_named_body(one.body);
-    options.hand = one.hand == "left" ? Handedness::Left : Handedness::Right;
-    const Result<CameraPlace> view = camera_place_from_string(one.view);
-    if (!view) return tl::unexpected(view.error());
-    options.view = *view;
-    options.frames_per_second = arguments_.fps * arguments_.slower;
-    options.width = kWidth;
-    options.height = kHeight;
+    const Result<CameraPlace> camera = camera_place_from_string(one.view);
+    if (!camera) return tl::unexpected(camera.error());
+    const SimulatedStudentOptions options = bench_film(
+        one.motion, *find_named_body(one.body), one.hand == "left" ? Handedness::Left : Handedness::Right,
+        *camera, arguments_.fps * arguments_.slower);
     const auto student = SimulatedStudent::make(options);
     if (!student) return tl::unexpected(student.error());
     const Result<PoseTrack> track = films_.track(film_name(one), options);
@@ -133,7 +126,7 @@ class LiveBench {
                         const AuthoredMotion& coach_truth) const {
     const double slower = arguments_.slower;
     const std::vector<PoseObservation> all = scene(track);
-    const auto picture = std::make_shared<const Image>(Image::black(kWidth, kHeight));
+    const auto picture = std::make_shared<const Image>(Image::black(track.width, track.height));
     const std::string last = one.motion == "putt" ? "end" : "finish";
     const double takeaway = kStanding_s + slower * truth.time_of("takeaway");
     const double top = kStanding_s + slower * truth.time_of("top");

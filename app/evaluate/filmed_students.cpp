@@ -7,6 +7,19 @@
 namespace posecoach {
 namespace fs = std::filesystem;
 
+SimulatedStudentOptions bench_film(std::string motion, Skeleton body, Handedness hand,
+                                   const CameraPlace& camera, double frames_per_second) {
+  SimulatedStudentOptions options;
+  options.motion = std::move(motion);
+  options.body = std::move(body);
+  options.hand = hand;
+  options.view = camera;
+  options.frames_per_second = frames_per_second;
+  options.width = 960;
+  options.height = 540;
+  return options;
+}
+
 FilmedStudents::FilmedStudents(fs::path folder, PoseTrackerOptions options)
     : folder_(std::move(folder)), options_(std::move(options)) {}
 

@@ -12,6 +12,11 @@
 
 namespace posecoach {
 
+// What a bench's films have in common; who plays which stroke, and from where he is seen, is the bench's.
+// Small pictures, enough for the pose networks, which look at 256 by 256 pixels: nobody else looks at them.
+SimulatedStudentOptions bench_film(std::string motion, Skeleton body, Handedness hand,
+                                   const CameraPlace& camera, double frames_per_second);
+
 class FilmedStudents {
  public:
   // Makes the folder; an empty name keeps nothing. Errors: Unreadable.

@@ -68,7 +68,7 @@ constexpr std::array kEventRows = {
     EventRow{kFace, kSwing, "impact", {0, 0.004}},
     EventRow{kFace, kSwing, "mid_follow_through", {0.010, 0.006}},
     EventRow{kLine, kSwing, "address", {0.042, 0.048}},
-    EventRow{kLine, kSwing, "takeaway", {0.083, 0.045}},
+    EventRow{kLine, kSwing, "takeaway", {0, 0.016}},
     EventRow{kLine, kSwing, "toe_up", {0.067, 0.022}},
     EventRow{kLine, kSwing, "mid_backswing", {-0.037, 0.010}},
     EventRow{kLine, kSwing, "top", {-0.036, 0.009}},
@@ -123,7 +123,7 @@ constexpr std::array kPhaseRows = {
     PhaseRow{kFace, kSwing, "takeaway", "top", {0.041, 1, 0}},
     PhaseRow{kFace, kSwing, "top", "mid_downswing", {0.093, 0.68, 0.27}},
     PhaseRow{kFace, kSwing, "top", "impact", {-0.045, 1, 0}},
-    PhaseRow{kLine, kSwing, "takeaway", "top", {0.046, 0.85, 0}},
+    PhaseRow{kLine, kSwing, "takeaway", "top", {0, 1, 0}},
     PhaseRow{kLine, kSwing, "top", "mid_downswing", {0.103, 0.72, 0.28}},
     PhaseRow{kLine, kSwing, "top", "impact", {-0.040, 1, 0}},
 };
@@ -181,6 +181,35 @@ double turn_of_hands(const SwingEvents& found, const JointTrack& track, const Si
   const double half = (is_putt ? kPuttTurn_s : kSwingTurn_s) * slow * kHandPathRate;
   const int degree = !is_putt && view == kFace ? 3 : 2;
   return path.time(peak_of_curve(way, highest, half, degree));
+}
+
+// Down the line a backswing starts along the line of sight, and is seen late. When the hands have done a
+// tenth of their way to the top, as far as it is seen, this part of what then is left of the backswing is
+// already over.
+constexpr double kSeenPart = 0.1, kUnseenShare = 0.48;
+constexpr double kRestBefore_s = 0.2, kRestLasts_s = 0.1;
+constexpr double kWaySmoothing_s = 0.025;
+
+std::optional<double> takeaway_down_the_line(const SwingEvents& found, const JointTrack& student,
+                                             const Sight& sight) {
+  const HandPath path = make_hand_path(student, sight);
+  const auto sample = [&path](double time_s) {
+    return std::clamp(static_cast<int>(std::lround((time_s - path.begin_s) * kHandPathRate)), 0,
+                      path.count() - 1);
+  };
+  const double rested_s = found.takeaway_s - kRestBefore_s;
+  const int rest_first = sample(rested_s - kRestLasts_s), rest_last = sample(rested_s),
+            top = sample(found.time_of("top"));
+  Vec3 rest(0);
+  for (int i = rest_first; i <= rest_last; ++i)
+    rest += path.hands[static_cast<std::size_t>(i)] / static_cast<double>(rest_last - rest_first + 1);
+  std::vector<double> way;
+  for (const Vec3& hands : path.hands) way.push_back(glm::distance(hands, rest));
+  way = smoothed(way, kWaySmoothing_s * kHandPathRate);
+  const auto seen = crossing(way, top, rest_last, kSeenPart * way[static_cast<std::size_t>(top)]);
+  if (!seen) return std::nullopt;
+  const double seen_s = path.time(*seen);
+  return seen_s - kUnseenShare * (found.time_of("top") - seen_s);
 }
 
 }  // namespace
@@ -254,6 +283,8 @@ SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, 
                                                 : turn_of_hands(found, track, sight, view, slow);
     event.time_s -= habit(event.name);
   }
+  if (view == kLine && found.kind == kSwing)
+    right.takeaway_s = takeaway_down_the_line(found, student, alignment.sight).value_or(found.takeaway_s);
   right.takeaway_s = std::max(0.0, right.takeaway_s - habit("takeaway"));
   SwingEvent& address = right.events.front();
   address.time_s = std::max(0.0, std::min(address.time_s, right.takeaway_s));

@@ -43,7 +43,7 @@ std::vector<std::string> AddressWatch::look(const PersonalCoach& coach, Handedne
   const Result<JointTrack> track = JointTrack::from_motion(*motion);
   if (!track) return {};
   const JointTrack student = track->averaged(0, track->duration()), address = coach.address();
-  const Viewpoint view = viewpoint_of(looks_.back().student.view);
+  const Viewpoint view = judged_from(looks_.back().student.side);
   return hand == Handedness::Left ? address_advice(student.mirrored(), address.mirrored(), view)
                                   : address_advice(student, address, view);
 }

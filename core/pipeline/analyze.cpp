@@ -8,7 +8,7 @@
 #include "core/coaching/compare.h"
 #include "core/coaching/posture.h"
 #include "core/coaching/text/advice_text.h"
-#include "core/pipeline/placing.h"
+#include "core/coaching/text/set_up_text.h"
 #include "core/retarget/doubt.h"
 
 namespace posecoach {
@@ -82,7 +82,7 @@ Seen seen_from(const Motion& coach) {
   for (int frame = track->nearest_frame(address_s - kAddress_s); frame <= track->nearest_frame(address_s);
        ++frame)
     front += facing_in(coach, frame);
-  if (is_square(front, to_camera)) seen.view = viewpoint_of(view_from(front, to_camera));
+  seen.view = judged_from(camera_side(front, to_camera));
   return seen;
 }
 
@@ -139,6 +139,7 @@ StudentInput student_from_motion(std::string source, const Motion& motion) {
           motion.skeleton(),
           Viewpoint::AllSides,
           {},
+          {},
           0,
           0,
           motion.frame_count(),
@@ -151,8 +152,9 @@ StudentInput student_from_film(std::string source, const PoseTrack& track, const
   return {std::move(source),
           lifted.motion,
           lifted.body,
-          lifted.is_square ? viewpoint_of(lifted.view) : Viewpoint::Between,
+          judged_from(lifted.side()),
           {glm::normalize(Vec3(0, 0, 1) * lifted.camera.rotation_camera_from_world)},
+          lifted.side(),
           lifted.first_frame,
           to_seconds(lifted.motion.time(0) - begin),
           static_cast<int>(track.frames.size()),
@@ -199,6 +201,9 @@ Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coac
   analysis->reach_deficit_max_m = personal->contacts.reach_deficit_max_m;
   if (analysis->reach_deficit_max_m > kReachWorthTelling_m)
     analysis->notes.push_back(text::out_of_reach(analysis->reach_deficit_max_m));
+  if (student.camera && student.camera->view != View::Between && !student.camera->is_square())
+    analysis->notes.push_back(
+        text::camera_stood_aside(viewpoint_of(student.camera->view), student.camera->aside_deg));
   count_in_film_frames(*analysis, student);
   return AnalyzedPair{*std::move(analysis), std::move(drawn)};
 }

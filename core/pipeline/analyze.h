@@ -23,6 +23,7 @@ struct StudentInput {
   Skeleton body;  // that the coach's motion is carried over to
   Viewpoint view = Viewpoint::AllSides;
   Sight sight = {};
+  std::optional<CameraSide> camera = {};  // that saw him
   // Of a film, of which `motion` may be a part: what the analysis counts in.
   int first_frame = 0;
   double first_time_s = 0;

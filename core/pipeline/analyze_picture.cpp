@@ -1,13 +1,12 @@
 #include "core/pipeline/analyze_picture.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/coaching/body_axes.h"
 #include "core/coaching/joint_track.h"
 #include "core/coaching/score.h"
+#include "core/coaching/text/picture_text.h"
 
 namespace posecoach {
 namespace {
@@ -59,26 +58,6 @@ Likeness likeness(const JointTrack& student, int frame, const JointTrack& coach,
   return result;
 }
 
-std::string spoken(HumanoidJoint joint) {
-  std::string name(to_string(joint));
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
-std::string sentence(HumanoidJoint joint, const Vec3& offset, const PictureAxes& axes) {
-  const double right = glm::dot(offset, axes.right), up = glm::dot(offset, axes.up);
-  const auto part = [](double amount, const char* more, const char* less) {
-    return fmt::format("{:.0f} cm {}", 100 * std::abs(amount), amount > 0 ? more : less);
-  };
-  const std::string vertical = part(up, "too high", "too low"),
-                    sideways = part(right, "too far to the right", "too far to the left") + " in the picture";
-  // The smaller part is told where it is no afterthought.
-  const bool both = std::min(std::abs(right), std::abs(up)) > 0.5 * std::max(std::abs(right), std::abs(up));
-  const std::string where =
-      both ? vertical + " and " + sideways : (std::abs(up) > std::abs(right) ? vertical : sideways);
-  return fmt::format("In the pose of the coach's picture, your {} is {}.", spoken(joint), where);
-}
-
 std::vector<SpatialAdvice> spatial_advice(const JointTrack& student, int frame, const JointTrack& coach,
                                           const PictureAxes& axes, const Likeness& whole) {
   const BodyAxes facing = body_axes(student, student.time(frame), student.time(frame));
@@ -92,7 +71,7 @@ std::vector<SpatialAdvice> spatial_advice(const JointTrack& student, int frame, 
     advice.student_frame = frame;
     advice.offset_m = in_axes(facing, *offset);
     advice.distance_m = glm::length(*offset);
-    advice.advice = sentence(joint, *offset, axes);
+    advice.advice = text::picture_offset(joint, glm::dot(*offset, axes.right), glm::dot(*offset, axes.up));
     advice.share = advice.distance_m / (whole.mean_m * whole.joints);
     advice.severity = advice.distance_m / kWorthTelling_m;
     all.push_back(std::move(advice));
@@ -108,8 +87,7 @@ std::vector<Advice> advice_from(const std::vector<SpatialAdvice>& spatial, int f
   std::vector<Advice> all;
   for (const SpatialAdvice& one : spatial)
     all.push_back({AdviceKind::Spatial, one.advice, frame, 0, one.severity});
-  if (all.empty())
-    all.push_back({AdviceKind::None, "No clear difference to the coach's picture was found.", frame, 0, 0});
+  if (all.empty()) all.push_back({AdviceKind::None, text::no_picture_difference(), frame, 0, 0});
   return all;
 }
 
@@ -129,9 +107,7 @@ Result<AnalyzedPair> analyze_picture(const StudentInput& student, const CoachInp
     best = frame;
     most_alike = here;
   }
-  if (best < 0)
-    return fail(ErrorCode::Incomplete, "the joints of " + student.source + " and of the picture " +
-                                           coach.source + " are never seen together");
+  if (best < 0) return fail(ErrorCode::Incomplete, text::never_seen_together(student.source, coach.source));
   Analysis analysis;
   const int film_frame = best + student.first_frame;
   analysis.coach = {coach.source, 1, 0, coach.motion.joint_count(), std::nullopt};
@@ -151,11 +127,8 @@ Result<AnalyzedPair> analyze_picture(const StudentInput& student, const CoachInp
   analysis.spatial = spatial_advice(*his, best, *picture, axes, most_alike);
   for (SpatialAdvice& advice : analysis.spatial) advice.student_frame = film_frame;
   analysis.advice = advice_from(analysis.spatial, film_frame);
-  analysis.notes.push_back(fmt::format(
-      "One picture of the coach, compared with the moment of the film that is most like it (frame {}).",
-      film_frame));
-  if (most_alike.mean_m > kUnlike * leg)
-    analysis.notes.push_back("No moment of the film is much like the picture.");
+  analysis.notes.push_back(text::picture_and_frame(film_frame));
+  if (most_alike.mean_m > kUnlike * leg) analysis.notes.push_back(text::no_frame_like_the_picture());
   return AnalyzedPair{std::move(analysis), coach.motion};
 }
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/body/body_measurement.h"
+#include "core/coaching/text/set_up_text.h"
 
 namespace posecoach {
 namespace {
@@ -49,17 +50,16 @@ std::optional<Skeleton> BodyMeasuring::finish() {
   since_ = now_;
   stage_ = Measuring::Stage::Failed;
   if (looks_.size() < kFewestLooks || static_cast<double>(looks_.size()) < kLeastSeen * looks_asked_) {
-    words_ = "I did not see your whole body long enough. Step into full view, arms and feet, and try again.";
+    words_ = text::measure(text::Measure::NotSeen);
     return std::nullopt;
   }
   const Result<Skeleton> body = measure_landmark_body(looks_, {options_.height_m});
   if (!body) {
-    words_ = "Your body could not be measured: " + body.error().message + ".";
+    words_ = text::not_measured(body.error().message);
     return std::nullopt;
   }
   stage_ = Measuring::Stage::Done;
-  words_ = options_.height_m ? "Your body is measured."
-                             : "Your body is measured. Enter your height to make the measures exact.";
+  words_ = text::measure(options_.height_m ? text::Measure::Done : text::Measure::DoneWithoutHeight);
   return *body;
 }
 
@@ -71,8 +71,8 @@ Measuring BodyMeasuring::state() const {
   const double length = is_counting ? options_.count_down_s : options_.looking_s;
   if (is_counting || stage_ == Measuring::Stage::Looking)
     state.seconds_left = std::max(0.0, length - elapsed);
-  state.words = is_counting ? "Stand upright facing the camera, arms straight out to the sides."
-                : stage_ == Measuring::Stage::Looking ? "Hold still."
+  state.words = is_counting                           ? text::measure(text::Measure::ArmsOut)
+                : stage_ == Measuring::Stage::Looking ? text::measure(text::Measure::HoldStill)
                                                       : words_;
   return state;
 }

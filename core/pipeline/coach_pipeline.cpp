@@ -217,7 +217,7 @@ class CoachPipeline::Implementation {
   void say_what_is_wrong_with_coach(const std::optional<LiveStudent>& student, CoachSnapshot& snapshot) {
     snapshot.coach_message = coach_message_;
     if (!filmed_ || !ghost_.coach() || !student) return;
-    const std::optional<std::string> words = wrong_side(*filmed_, student->view);
+    const std::optional<std::string> words = wrong_side(*filmed_, student->side.view);
     // Who holds his finish is turned, and stands where he stood.
     if (!words)
       wrong_side_poses_ = 0;
@@ -278,9 +278,9 @@ class CoachPipeline::Implementation {
 
   void check_set_up(const Frame& frame, const std::optional<SeenPerson>& person,
                     const std::optional<LiveStudent>& student, CoachSnapshot& snapshot) {
-    const std::optional<View> view = student ? std::optional(student->view) : std::nullopt;
+    const std::optional<CameraSide> side = student ? std::optional(student->side) : std::nullopt;
     const std::optional<StrokeKind> stroke = ghost_.coach() ? ghost_.coach()->kind : std::nullopt;
-    snapshot.checks = checks_.step(frame.time, {person, view, people_, stroke, *frame.image});
+    snapshot.checks = checks_.step(frame.time, {person, side, people_, stroke, *frame.image});
   }
 
   void look_at_address(MediaTime time, const std::optional<LiveStudent>& student, CoachSnapshot& snapshot) {

@@ -80,6 +80,8 @@ Result<BenchAnswer> judge(const BenchCase& one, const StudentInput& student, con
     return answer;
   }
   answer.percent = pair->analysis.score.percent;
+  answer.plus_minus = pair->analysis.score.plus_minus;
+  answer.metrics = pair->analysis.metrics;
   for (const Advice& advice : pair->analysis.advice)
     if (advice.kind != AdviceKind::None) answer.advice.push_back(advice);
   if (!one.fault) return answer;
@@ -129,6 +131,61 @@ std::vector<BenchRow> tally(const std::vector<BenchAnswer>& answers) {
   std::stable_sort(rows.begin(), rows.end(), [](const BenchRow& a, const BenchRow& b) {
     return std::tuple(a.eye, a.motion != "swing") < std::tuple(b.eye, b.motion != "swing");
   });
+  return rows;
+}
+
+namespace {
+
+bool is_same_but_for_rate(const BenchCase& a, const BenchCase& b) {
+  return a.motion == b.motion && a.fault == b.fault && a.amount == b.amount && a.body.name == b.body.name &&
+         a.hand == b.hand && a.eye == b.eye && a.camera_turned_deg == b.camera_turned_deg;
+}
+
+bool is_same_first(const BenchAnswer& a, const BenchAnswer& b) {
+  if (a.advice.empty() || b.advice.empty()) return a.advice.empty() && b.advice.empty();
+  const Advice& one = a.advice.front();
+  const Advice& other = b.advice.front();
+  return one.fault.empty() ? one.measure == other.measure && one.event == other.event
+                           : one.fault == other.fault;
+}
+
+bool is_within(double a, double a_off, double b, double b_off) {
+  return std::abs(a - b) <= a_off + b_off;
+}
+
+void compare_rates(const BenchAnswer& slow, const BenchAnswer& quick, BenchAgreement& row) {
+  ++row.pairs;
+  row.same_first += is_same_first(slow, quick) ? 1 : 0;
+  row.scores_within += is_within(slow.percent, slow.plus_minus, quick.percent, quick.plus_minus) ? 1 : 0;
+  for (const Metric& metric : slow.metrics) {
+    const auto same = std::find_if(quick.metrics.begin(), quick.metrics.end(),
+                                   [&](const Metric& other) { return other.name == metric.name; });
+    if (!metric.available || same == quick.metrics.end() || !same->available) continue;
+    ++row.metrics;
+    row.metrics_within += is_within(metric.value, metric.plus_minus, same->value, same->plus_minus) ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+std::vector<BenchAgreement> agreement_of_frame_rates(const std::vector<BenchAnswer>& answers) {
+  std::vector<BenchAgreement> rows;
+  for (const BenchAnswer& slow : answers)
+    for (const BenchAnswer& quick : answers) {
+      if (!slow.refusal.empty() || !quick.refusal.empty() || !is_same_but_for_rate(slow.asked, quick.asked) ||
+          slow.asked.frames_per_second >= quick.asked.frames_per_second)
+        continue;
+      const bool is_slowest = std::none_of(answers.begin(), answers.end(), [&](const BenchAnswer& other) {
+        return is_same_but_for_rate(other.asked, slow.asked) &&
+               other.asked.frames_per_second < slow.asked.frames_per_second;
+      });
+      if (!is_slowest) continue;
+      auto row = std::find_if(rows.begin(), rows.end(), [&](const BenchAgreement& r) {
+        return r.eye == slow.asked.eye && r.motion == slow.asked.motion;
+      });
+      if (row == rows.end()) row = rows.insert(rows.end(), {slow.asked.eye, slow.asked.motion});
+      compare_rates(slow, quick, *row);
+    }
   return rows;
 }
 

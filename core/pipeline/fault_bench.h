@@ -63,6 +63,8 @@ struct BenchAnswer {
   int rank = 0;  // of the advice that names the fault: 1 is first; 0 nowhere
   // Of the measure that this advice tells, as told and as it truly is.
   double amount_told = 0, amount_true = 0;
+  double plus_minus = 0;  // of the score
+  std::vector<Metric> metrics = {};
 
   bool is_amount_right() const;  // within a quarter
 };
@@ -81,6 +83,18 @@ struct BenchRow {
   double percent_mean = 0, percent_least = 100;
 };
 std::vector<BenchRow> tally(const std::vector<BenchAnswer>& answers);
+
+// Whether the same stroke, seen at several frame rates, is told the same.
+struct BenchAgreement {
+  BenchEye eye = BenchEye::TrueJoints;
+  std::string motion;
+  int pairs = 0;           // of two frame rates: the slowest and each other
+  int same_first = 0;      // the first advice names the same fault or measure, or neither has any
+  int scores_within = 0;   // no farther apart than both plus-minuses
+  int metrics = 0;         // that both can tell
+  int metrics_within = 0;  // no farther apart than both plus-minuses
+};
+std::vector<BenchAgreement> agreement_of_frame_rates(const std::vector<BenchAnswer>& answers);
 
 // `see` is the eye. Errors: those of `see`, and Cancelled; a stroke that cannot be analysed is an answer.
 using BenchEyeFunction = std::function<Result<StudentInput>(const BenchCase&)>;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/body/landmark_body.h"
+#include "core/coaching/text/picture_text.h"
 #include "core/pipeline/analyze_picture.h"
 #include "core/pipeline/picture_coach.h"
 
@@ -64,7 +65,7 @@ Result<AnalyzedPair> analyze_still(const FilmedCoach& coach, const StudentInput&
         pair->analysis.score.mean_joint_error_m > kClearlyBetter * best->analysis.score.mean_joint_error_m)
       continue;
     std::vector<std::string>& notes = pair->analysis.notes;
-    if (is_mirrored) notes.push_back("The coach's picture is mirrored: so it is more like the student.");
+    if (is_mirrored) notes.push_back(text::picture_is_mirrored());
     notes.insert(notes.end(), carried->doubts.begin(), carried->doubts.end());
     best = *std::move(pair);
   }
@@ -86,7 +87,7 @@ std::optional<std::string> words_about(const std::vector<Joint2d>& hidden) {
   }
   if (list.empty()) return std::nullopt;
   if (count > kMostNamed) list += " and " + std::to_string(count - kMostNamed) + " more";
-  return "Left out where the coach hides them: " + list + ".";
+  return text::left_out_where_hidden(list);
 }
 
 }  // namespace
@@ -114,7 +115,7 @@ Result<PersonalCoach> make_personal_coach(const FilmedCoach& coach, const Skelet
   Result<PersonalCoach> made = personal_coach_from(std::move(carried->motion));
   if (!made) return made;
   made->is_flat = true;
-  if (is_mirrored && coach.is_still) made->message = "The picture is mirrored, for a left-handed golfer. ";
+  if (is_mirrored && coach.is_still) made->message = text::picture_is_mirrored_for_left_handed() + " ";
   made->message += words_about(carried->hidden).value_or("");
   return made;
 }
@@ -122,8 +123,7 @@ Result<PersonalCoach> make_personal_coach(const FilmedCoach& coach, const Skelet
 std::optional<std::string> wrong_side(const FilmedCoach& coach, View student) {
   const View his = coach.lifted.view;
   if (his == View::Between || student == View::Between || his == student) return std::nullopt;
-  return "The coach is seen " + std::string(to_string(his)) + ": stand so that the camera sees you " +
-         std::string(to_string(his)) + " too.";
+  return text::coach_is_seen_from(to_string(his));
 }
 
 Result<AnalyzedPair> analyze_in_picture(const FilmedCoach& coach, const StudentInput& input,

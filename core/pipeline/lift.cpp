@@ -159,44 +159,14 @@ Result<Motion> motion_in_world(const PoseTrack& track, const Sightings& sighting
   return Motion::from_positions(body, std::move(times), std::move(positions), std::move(confidence));
 }
 
-struct Side {
-  View view = View::Between;
-  bool is_square = false;
-};
-
-Side side_of(const Motion& motion, const PinholeCamera& camera, std::span<const std::size_t> still) {
+CameraSide side_of(const Motion& motion, const PinholeCamera& camera, std::span<const std::size_t> still) {
   Vec3 facing(0);
   for (const std::size_t i : still) facing += facing_in(motion, static_cast<int>(i));
-  const Vec3 pelvis = motion.position(static_cast<int>(still[0]), 0);
-  const Vec3 to_camera = camera.position() - pelvis;
-  return {view_from(facing, to_camera), is_square(facing, to_camera)};
+  const Vec3 to_camera = camera.position() - motion.position(static_cast<int>(still[0]), 0);
+  return camera_side(facing, to_camera);
 }
 
 }  // namespace
-
-Viewpoint viewpoint_of(View view) {
-  switch (view) {
-    case View::FaceOn:
-      return Viewpoint::FaceOn;
-    case View::DownTheLine:
-      return Viewpoint::DownTheLine;
-    case View::Between:
-      break;
-  }
-  return Viewpoint::Between;
-}
-
-std::string_view to_string(View view) {
-  switch (view) {
-    case View::FaceOn:
-      return "face-on";
-    case View::DownTheLine:
-      return "down-the-line";
-    case View::Between:
-      break;
-  }
-  return "between";
-}
 
 Result<LiftedStudent> lift(const PoseTrack& track, const LiftOptions& options) {
   if (track.width <= 0 || track.height <= 0)
@@ -209,7 +179,9 @@ Result<LiftedStudent> lift(const PoseTrack& track, const LiftOptions& options) {
   if (!sized) return fail(sized.error().code, track.source + ": " + sized.error().message);
   for (Vec3& position : placed->positions) position *= sized->scale;
 
-  const Stance stance = estimate_stance(placed->positions);
+  const double seconds = sightings->times_s.back() - sightings->times_s.front();
+  const Stance stance = estimate_stance(
+      placed->positions, seconds > 0 ? static_cast<double>(sightings->frames.size() - 1) / seconds : 30);
   Result<Motion> motion = motion_in_world(track, *sightings, *placed, stance, sized->body);
   if (!motion) return fail(motion.error().code, track.source + ": " + motion.error().message);
   const PinholeCamera camera{track.width,
@@ -221,13 +193,13 @@ Result<LiftedStudent> lift(const PoseTrack& track, const LiftOptions& options) {
   const std::size_t first = sightings->frames.front();
   std::vector<std::size_t> still;
   for (const std::size_t i : stance.still_frames) still.push_back(sightings->frames[i] - first);
-  const Side side = side_of(*motion, camera, still);
+  const CameraSide side = side_of(*motion, camera, still);
   return LiftedStudent{.motion = *std::move(motion),
                        .body = sized->body,
                        .camera = camera,
                        .view = side.view,
                        .first_frame = static_cast<int>(first),
-                       .is_square = side.is_square,
+                       .aside_deg = side.aside_deg,
                        .model_residual_px = placed->residual_px};
 }
 

@@ -6,18 +6,12 @@
 
 #include "core/base/error.h"
 #include "core/body/skeleton.h"
-#include "core/coaching/viewpoint.h"
 #include "core/image/camera.h"
 #include "core/motion/motion.h"
 #include "core/motion/pose_track.h"
+#include "core/pipeline/camera_side.h"
 
 namespace posecoach {
-
-// From where the camera sees the golfer at address: his front (face-on), along the target line (down the
-// line).
-enum class View { FaceOn, DownTheLine, Between };
-std::string_view to_string(View view);  // "face-on", "down-the-line", "between"
-Viewpoint viewpoint_of(View view);
 
 struct LiftOptions {
   std::optional<double> height_m;  // the student's stature; otherwise the pose model's metres count
@@ -34,12 +28,12 @@ struct LiftedStudent {
   View view = View::Between;
   int first_frame =
       0;  // frame of the film that is frame 0 of `motion`; frames without him are cut at the ends
-  // The camera stood face-on or down the line to within a few degrees. What films tell of turns and depths
-  // was measured with such cameras only (core/coaching/film_habits.h).
-  bool is_square = true;
+  double aside_deg = 0;  // as CameraSide has it
   // How well the pose model's own 3D joints, moved to their place, fit its 2D joints: median distance. The
   // joints of `motion` lie on the 2D joints' rays.
   double model_residual_px = 0;
+
+  CameraSide side() const { return {view, aside_deg}; }
 };
 
 // Errors: NoPerson (nobody in any frame), Incomplete (seen in fewer than 3 frames), Malformed (a track

@@ -124,7 +124,7 @@ std::optional<LiveStudent> LiveLift::step(MediaTime time, const std::optional<Se
                     intrinsics_->centre_px,
                     glm::transpose(turn),
                     size * ground_->origin};
-  student.view = view_of(student);
+  student.side = side_of(student);
   return student;
 }
 
@@ -220,7 +220,7 @@ std::optional<Skeleton> LiveLift::provisional_body() const {
   return measured ? std::optional(*measured) : std::nullopt;
 }
 
-View LiveLift::view_of(const LiveStudent& student) {
+CameraSide LiveLift::side_of(const LiveStudent& student) {
   const auto at = [&](Landmark l) { return student.positions[static_cast<std::size_t>(landmark_joint(l))]; };
   const Vec3 across = at(Landmark::LeftHip) - at(Landmark::RightHip) + at(Landmark::LeftShoulder) -
                       at(Landmark::RightShoulder);
@@ -228,7 +228,7 @@ View LiveLift::view_of(const LiveStudent& student) {
   const bool is_still = !moving_since_ || *moving_since_ < recent_.back().time;
   if (glm::length(front) > 1e-9 && (is_still || facing_ == Vec3(0)))
     facing_ += kFacingWeight * (glm::normalize(front) - facing_);
-  return view_from(facing_, student.camera.position() - student.positions[0]);
+  return camera_side(facing_, student.camera.position() - student.positions[0]);
 }
 
 }  // namespace posecoach

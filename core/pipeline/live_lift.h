@@ -19,7 +19,7 @@ struct LiveStudent {
   std::array<Vec3, kLandmarkBodyJointCount> positions;
   std::array<double, kLandmarkBodyJointCount> confidence{};
   PinholeCamera camera;
-  View view = View::Between;
+  CameraSide side;
 };
 
 class LiveLift {
@@ -57,7 +57,7 @@ class LiveLift {
   void fit_ground();
   std::vector<WorldKeypoints> placed_window() const;
   double scale() const;
-  View view_of(const LiveStudent& student);
+  CameraSide side_of(const LiveStudent& student);
 
   std::optional<Skeleton> body_;
   std::optional<double> height_m_;

@@ -8,6 +8,7 @@
 #include "core/base/assert.h"
 #include "core/body/landmark_body.h"
 #include "core/body/mirror.h"
+#include "core/coaching/text/picture_text.h"
 #include "core/transfer/bone_lengths.h"
 #include "core/transfer/doubts.h"
 #include "core/transfer/pose2d_sources.h"
@@ -228,7 +229,7 @@ class Hidden {
               std::to_string(frames_) + " frames)";
     }
     if (list.empty()) return std::nullopt;
-    return "The coach's pictures do not always show, and he is drawn there without: " + list + ".";
+    return text::drawn_without(list);
   }
 
  private:
@@ -308,6 +309,7 @@ LiftedStudent mirrored(const LiftedStudent& filmed) {
   camera.rotation_camera_from_world = flip * camera.rotation_camera_from_world * flip;
   camera.translation_camera_from_world = flip * camera.translation_camera_from_world;
   camera.centre_px.x = camera.width_px - camera.centre_px.x;
+  if (result.view == View::FaceOn) result.aside_deg = -result.aside_deg;
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/latest_value.h"
 #include "core/base/thread_name.h"
+#include "core/coaching/text/set_up_text.h"
 #include "core/pipeline/live_meter.h"
 
 namespace posecoach {
@@ -142,9 +143,7 @@ class PipelineRunner::Implementation {
     snapshot.number = ++number_;
     snapshot.source = status.source;
     snapshot.source_state = is_stalled ? SourceState::Stalled : status.state;
-    snapshot.source_message = is_stalled ? "No picture has come from " + status.source +
-                                               " for a second. Is it plugged in, and free for this program?"
-                                         : status.message;
+    snapshot.source_message = is_stalled ? text::no_picture_from(status.source) : status.message;
     if (!problem.empty()) snapshot.source_message = problem;
     LiveCounters& counters = snapshot.counters;
     counters.captured = status.captured;

@@ -1,13 +1,17 @@
 #include "core/pipeline/set_up_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+
+#include "core/coaching/text/set_up_text.h"
 
 namespace posecoach {
 namespace {
 
 using enum Landmark;
 using enum SetUpLevel;
+using enum text::SetUp;
 
 // What is seen must last this long before it is told.
 constexpr double kLasting_s = 0.4;
@@ -18,6 +22,10 @@ constexpr double kVisible = 0.5;
 constexpr double kDark = 35, kDim = 65, kGlaring = 225, kFlat = 28, kBacklight = 75;
 // Height of the golfer in the picture, of its height.
 constexpr double kFar = 0.20, kRatherFar = 0.30, kNear = 0.90;
+
+std::string said(text::SetUp what) {
+  return text::set_up(what);
+}
 
 double luminance(const std::uint8_t* rgb) {
   return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2];
@@ -42,7 +50,7 @@ bool is_below(double value, double limit, bool was) {
 }
 
 SetUpCheck whole_body(const SetUpSight& sight) {
-  if (!sight.person) return {SetUpTopic::WholeBody, Bad, "Step into the picture"};
+  if (!sight.person) return {SetUpTopic::WholeBody, Bad, said(StepIn)};
   const ImageKeypoints& image = sight.person->image;
   const Vec2 size(sight.image.width, sight.image.height);
   const auto is_cut = [&](std::initializer_list<Landmark> landmarks) {
@@ -56,70 +64,56 @@ SetUpCheck whole_body(const SetUpSight& sight) {
     return std::max(image[left].visibility, image[mirrored(left)].visibility) < kVisible;
   };
   if (is_cut({LeftShoulder, RightShoulder, LeftHip, RightHip, LeftKnee, RightKnee}))
-    return {SetUpTopic::WholeBody, Bad, "Only part of you is in the picture: step back"};
+    return {SetUpTopic::WholeBody, Bad, said(OnlyPart)};
   if (is_cut({LeftHeel, RightHeel, LeftFootIndex, RightFootIndex, LeftAnkle, RightAnkle}))
-    return {SetUpTopic::WholeBody, Poor, "Your feet are cut off: step back or tilt the camera down"};
-  if (is_cut({Nose, LeftEar, RightEar}))
-    return {SetUpTopic::WholeBody, Poor, "Your head is cut off: step back or tilt the camera up"};
-  if (is_cut({LeftWrist, RightWrist}))
-    return {SetUpTopic::WholeBody, Poor, "Your hands leave the picture: move to its middle"};
-  if (is_unseen(LeftAnkle) || is_unseen(LeftHeel))
-    return {SetUpTopic::WholeBody, Poor, "Your feet are hidden: clear what stands before them"};
-  if (is_unseen(LeftShoulder) || is_unseen(LeftHip))
-    return {SetUpTopic::WholeBody, Poor, "Your body is hidden: clear what stands before it"};
-  return {SetUpTopic::WholeBody, Good, "Whole body in view"};
+    return {SetUpTopic::WholeBody, Poor, said(FeetCut)};
+  if (is_cut({Nose, LeftEar, RightEar})) return {SetUpTopic::WholeBody, Poor, said(HeadCut)};
+  if (is_cut({LeftWrist, RightWrist})) return {SetUpTopic::WholeBody, Poor, said(HandsCut)};
+  if (is_unseen(LeftAnkle) || is_unseen(LeftHeel)) return {SetUpTopic::WholeBody, Poor, said(FeetHidden)};
+  if (is_unseen(LeftShoulder) || is_unseen(LeftHip)) return {SetUpTopic::WholeBody, Poor, said(BodyHidden)};
+  return {SetUpTopic::WholeBody, Good, said(WholeBody)};
 }
 
 SetUpCheck light(const std::optional<Brightness>& brightness, const SetUpCheck* before) {
   const bool was_bad = before && before->level == Bad, was_poor = before && before->level == Poor;
-  if (!brightness) return {SetUpTopic::Light, Bad, "Step into the picture to check the light"};
-  if (is_below(brightness->person, kDark, was_bad))
-    return {SetUpTopic::Light, Bad, "Too dark: put more light on yourself"};
+  if (!brightness) return {SetUpTopic::Light, Bad, said(StepInForLight)};
+  if (is_below(brightness->person, kDark, was_bad)) return {SetUpTopic::Light, Bad, said(TooDark)};
   if (brightness->around - brightness->person > kBacklight * (was_poor ? 1 - kHysteresis : 1))
-    return {SetUpTopic::Light, Poor, "The light is behind you: turn the camera or light your front"};
-  if (is_below(brightness->person, kDim, was_poor))
-    return {SetUpTopic::Light, Poor, "Rather dark: more light makes the picture steadier"};
+    return {SetUpTopic::Light, Poor, said(LightBehind)};
+  if (is_below(brightness->person, kDim, was_poor)) return {SetUpTopic::Light, Poor, said(RatherDark)};
   if (is_below(255 - brightness->person, 255 - kGlaring, was_poor))
-    return {SetUpTopic::Light, Poor, "Too bright: less direct light on yourself"};
-  if (is_below(brightness->contrast, kFlat, was_poor))
-    return {SetUpTopic::Light, Poor, "Hard to tell you from the background: other clothes or light help"};
-  return {SetUpTopic::Light, Good, "Light is good"};
+    return {SetUpTopic::Light, Poor, said(TooBright)};
+  if (is_below(brightness->contrast, kFlat, was_poor)) return {SetUpTopic::Light, Poor, said(NoContrast)};
+  return {SetUpTopic::Light, Good, said(LightGood)};
 }
 
 SetUpCheck one_person(const SetUpSight& sight) {
-  if (!sight.person) return {SetUpTopic::OnePerson, Bad, "Nobody is seen"};
-  if (sight.people && *sight.people > 1)
-    return {SetUpTopic::OnePerson, Poor, "Somebody else is in the picture: only you should be"};
-  return {SetUpTopic::OnePerson, Good, "Only you in the picture"};
+  if (!sight.person) return {SetUpTopic::OnePerson, Bad, said(Nobody)};
+  if (sight.people && *sight.people > 1) return {SetUpTopic::OnePerson, Poor, said(SomebodyElse)};
+  return {SetUpTopic::OnePerson, Good, said(OnlyYou)};
 }
 
-SetUpCheck view(const SetUpSight& sight) {
-  if (!sight.view || !sight.person) return {SetUpTopic::View, Bad, "Stand at address to check the view"};
-  switch (*sight.view) {
-    case View::FaceOn:
-      return {SetUpTopic::View, Good, "Face-on"};
-    case View::DownTheLine:
-      if (sight.stroke == StrokeKind::Putt)
-        return {SetUpTopic::View, Poor, "A putt cannot be judged from here: put the camera in front of you"};
-      return {SetUpTopic::View, Good, "Down the line"};
-    case View::Between:
-      break;
-  }
-  return {SetUpTopic::View, Poor,
-          "The camera sees you at an angle: put it in front of you, or on the target line"};
+SetUpCheck view(const SetUpSight& sight, const SetUpCheck* before) {
+  if (!sight.side || !sight.person) return {SetUpTopic::View, Bad, said(AddressForView)};
+  const CameraSide& side = *sight.side;
+  if (side.view == View::Between) return {SetUpTopic::View, Poor, said(AtAnAngle)};
+  if (side.view == View::DownTheLine && sight.stroke == StrokeKind::Putt)
+    return {SetUpTopic::View, Poor, said(PuttFromHere)};
+  if (!is_below(std::abs(side.aside_deg), kSquare_deg, before == nullptr || before->level == Good))
+    return {SetUpTopic::View, Poor, text::camera_stands_aside(viewpoint_of(side.view), side.aside_deg)};
+  return {SetUpTopic::View, Good, said(side.view == View::FaceOn ? FaceOn : DownTheLine)};
 }
 
 SetUpCheck distance(const SetUpSight& sight, const SetUpCheck* before) {
-  if (!sight.person) return {SetUpTopic::Distance, Bad, "Step into the picture"};
+  if (!sight.person) return {SetUpTopic::Distance, Bad, said(StepIn)};
   const Box box = box_of(sight.person->image);
   const double part = (box.high.y - box.low.y) / sight.image.height;
   const bool was_bad = before && before->level == Bad, was_poor = before && before->level == Poor;
-  if (is_below(part, kFar, was_bad)) return {SetUpTopic::Distance, Bad, "Too far away: come closer"};
-  if (is_below(part, kRatherFar, was_poor))
-    return {SetUpTopic::Distance, Poor, "Rather far away: come closer"};
+  if (is_below(part, kFar, was_bad)) return {SetUpTopic::Distance, Bad, said(TooFar)};
+  if (is_below(part, kRatherFar, was_poor)) return {SetUpTopic::Distance, Poor, said(RatherFar)};
   if (part > kNear * (was_poor ? 1 - 0.5 * kHysteresis : 1))
-    return {SetUpTopic::Distance, Poor, "Too close for the club: step back"};
-  return {SetUpTopic::Distance, Good, "Distance is good"};
+    return {SetUpTopic::Distance, Poor, said(TooClose)};
+  return {SetUpTopic::Distance, Good, said(DistanceGood)};
 }
 
 }  // namespace
@@ -164,7 +158,7 @@ const std::vector<SetUpCheck>& SetUpChecks::step(MediaTime time, const SetUpSigh
     return shown_.empty() ? nullptr : &shown_[static_cast<std::size_t>(topic)];
   };
   const std::array<SetUpCheck, 5> now = {whole_body(sight), light(brightness_, before(SetUpTopic::Light)),
-                                         one_person(sight), view(sight),
+                                         one_person(sight), view(sight, before(SetUpTopic::View)),
                                          distance(sight, before(SetUpTopic::Distance))};
   if (shown_.empty()) shown_.assign(now.begin(), now.end());
   for (std::size_t k = 0; k < now.size(); ++k) {

@@ -9,8 +9,8 @@
 #include "core/body/landmarks.h"
 #include "core/coaching/swing_events.h"
 #include "core/image/frame.h"
+#include "core/pipeline/camera_side.h"
 #include "core/pipeline/coach_snapshot.h"
-#include "core/pipeline/lift.h"
 
 namespace posecoach {
 
@@ -24,7 +24,7 @@ std::optional<Brightness> measure_brightness(const Image& image, const ImageKeyp
 
 struct SetUpSight {
   const std::optional<SeenPerson>& person;
-  std::optional<View> view;
+  std::optional<CameraSide> side;    // where the camera stands
   std::optional<int> people;         // in view, where the pose stage can tell
   std::optional<StrokeKind> stroke;  // of the coach
   const Image& image;

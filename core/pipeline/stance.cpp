@@ -57,24 +57,38 @@ Vec3 foot_centre(FramePositions frame) {
          (at(frame, LeftHeel) + at(frame, RightHeel) + at(frame, LeftFootIndex) + at(frame, RightFootIndex));
 }
 
-double wrist_and_hip_speed(std::span<const Vec3> positions, std::size_t frame) {
+// How far to each side of a frame its speed is looked at; and frames nearer to each other than half of it
+// tell one place together, so that in a film of many frames a second trembling is no speed.
+constexpr double kSpeedReach_s = 0.067;
+
+double wrist_and_hip_speed(std::span<const Vec3> positions, std::size_t frame, std::size_t reach) {
   const std::size_t frames = positions.size() / kJoints;
-  const std::size_t before = frame > 2 ? frame - 2 : 0, after = std::min(frames - 1, frame + 2);
+  const std::size_t around = (reach - 1) / 2;
+  const auto place = [&](std::size_t middle, Landmark landmark) {
+    const std::size_t first = middle > around ? middle - around : 0,
+                      last = std::min(frames - 1, middle + around);
+    Vec3 sum(0);
+    for (std::size_t f = first; f <= last; ++f) sum += at(frame_of(positions, f), landmark);
+    return sum / static_cast<double>(last - first + 1);
+  };
+  const std::size_t before = frame > reach ? frame - reach : 0, after = std::min(frames - 1, frame + reach);
   double sum = 0;
   for (const Landmark landmark :
        {Landmark::LeftWrist, Landmark::RightWrist, Landmark::LeftHip, Landmark::RightHip})
-    sum += glm::distance(at(frame_of(positions, before), landmark), at(frame_of(positions, after), landmark));
+    sum += glm::distance(place(before, landmark), place(after, landmark));
   return sum / static_cast<double>(after - before);
 }
 
 // Before the fastest moment of the film (a golfer stands on both feet until he has hit the ball, and on one
 // afterwards), the third of the frames in which wrists and hips move least; all of them in a very short film.
-std::vector<std::size_t> still_frames(std::span<const Vec3> positions, std::size_t frames) {
+std::vector<std::size_t> still_frames(std::span<const Vec3> positions, std::size_t frames,
+                                      double frames_per_second) {
   std::vector<std::size_t> order(frames);
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (frames < 6) return order;
+  const auto reach = static_cast<std::size_t>(std::max(2L, std::lround(kSpeedReach_s * frames_per_second)));
   std::vector<double> speed;
-  for (std::size_t f = 0; f < frames; ++f) speed.push_back(wrist_and_hip_speed(positions, f));
+  for (std::size_t f = 0; f < frames; ++f) speed.push_back(wrist_and_hip_speed(positions, f, reach));
   const auto fastest = static_cast<std::size_t>(std::max_element(speed.begin(), speed.end()) - speed.begin());
   order.resize(std::max<std::size_t>(fastest, 6));
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return speed[a] < speed[b]; });
@@ -126,10 +140,10 @@ Tilt combined_tilt(const Tilt& balance, const std::optional<Tilt>& feet) {
 
 }  // namespace
 
-Stance estimate_stance(std::span<const Vec3> positions) {
+Stance estimate_stance(std::span<const Vec3> positions, double frames_per_second) {
   POSECOACH_ASSERT(!positions.empty() && positions.size() % kJoints == 0);
   Stance stance;
-  stance.still_frames = still_frames(positions, positions.size() / kJoints);
+  stance.still_frames = still_frames(positions, positions.size() / kJoints, frames_per_second);
 
   std::vector<Vec3> balance, feet_centres;
   std::array<std::vector<Vec3>, 4> feet;

@@ -16,7 +16,7 @@ struct Stance {
 };
 
 // `positions` frame-major, joints of the webcam body, camera axes (+Y down, +Z away), metres; at least one
-// frame.
-Stance estimate_stance(std::span<const Vec3> positions);
+// frame. The frame rate tells moving from trembling.
+Stance estimate_stance(std::span<const Vec3> positions, double frames_per_second = 30);
 
 }  // namespace posecoach

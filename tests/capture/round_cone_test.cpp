@@ -13,7 +13,7 @@ PinholeCamera camera(int width = 160, int height = 120) {
   return make_camera_looking_at({0, 1, 4}, {0, 1, 0}, radians_from_degrees(40), width, height);
 }
 
-constexpr Colour kRed = {1, 0, 0};
+constexpr SurfaceColour kRed = {1, 0, 0};
 
 bool is_red(const Image& image, int x, int y) {
   const std::uint8_t* pixel = image.pixel(x, y);

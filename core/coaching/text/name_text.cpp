@@ -1,5 +1,6 @@
 #include "core/coaching/text/name_text.h"
 
+#include <algorithm>
 #include <array>
 
 namespace posecoach::text {
@@ -31,6 +32,12 @@ std::string_view judged_part(JudgedPart part) {
   constexpr std::array<std::string_view, kJudgedParts.size()> kWords = {"hips", "trunk", "head",
                                                                         "arms", "legs",  "timing"};
   return kWords[static_cast<std::size_t>(part)];
+}
+
+std::string joint(HumanoidJoint joint) {
+  std::string name(to_string(joint));
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 std::string_view stroke(std::string_view stroke, bool is_left_handed) {

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <set>
 
+#include "tests/core/pipeline/filmed.h"
+#include "tests/core/retarget/motions.h"
+
 namespace posecoach {
 namespace {
 
@@ -88,6 +91,45 @@ TEST(FaultBench, tallies_what_was_answered) {
   EXPECT_EQ(rows[0].refused, 1);
   EXPECT_EQ(rows[0].percent_mean, 80);
   EXPECT_EQ(rows[1].false_alarms, 1);
+}
+
+// A camera and a pose stage whose errors are chance alone.
+Result<StudentInput> see_through_camera(const BenchCase& one) {
+  const auto stroke = make_stroke_of(one);
+  if (!stroke) return tl::unexpected(stroke.error());
+  const Vec3 eye = one.eye == BenchEye::FaceOn ? Vec3(0, 1.2, 3.6) : Vec3(-3.6, 1.2, 0.3);
+  const Filmed filmed = film(stroke->motion, test_landmark_body(1), eye, 50, {1.0, 0.005, 0.01});
+  const auto lifted = lift(filmed.track);
+  if (!lifted) return tl::unexpected(lifted.error());
+  return student_from_film(name_of(one), filmed.track, *lifted);
+}
+
+TEST(FaultBench, a_film_of_30_frames_a_second_is_told_what_one_of_120_is) {
+  std::vector<BenchCase> cases;
+  for (const char* name : {"sway", "slow_backswing", "early_extension"})
+    for (const double rate : {30.0, 120.0}) {
+      const GolfFault* fault = choose_fault(name).value().fault;
+      const BenchEye eye =
+          std::string_view(name) == "early_extension" ? BenchEye::DownTheLine : BenchEye::FaceOn;
+      cases.push_back({"swing", fault, fault->default_amount, {}, Handedness::Right, rate, eye});
+    }
+  const auto answers = run_fault_bench(cases, see_through_camera);
+  ASSERT_TRUE(answers) << answers.error().message;
+  for (std::size_t k = 0; k + 1 < answers->size(); k += 2) {
+    const BenchAnswer& slow = (*answers)[k];
+    const BenchAnswer& quick = (*answers)[k + 1];
+    EXPECT_GT(slow.rank, 0) << name_of(slow.asked) << ": " << first_advice(slow);
+    EXPECT_EQ(slow.rank, quick.rank) << name_of(quick.asked) << ": " << first_advice(quick);
+    EXPECT_NEAR(slow.amount_told, quick.amount_told, 0.25 * std::abs(slow.amount_told))
+        << name_of(slow.asked);
+  }
+  for (const BenchAgreement& row : agreement_of_frame_rates(*answers)) {
+    EXPECT_EQ(row.same_first, row.pairs);
+    EXPECT_EQ(row.scores_within, row.pairs);
+    // A plus-minus is two standard deviations: one in twenty lies outside.
+    EXPECT_GE(row.metrics_within, 0.9 * row.metrics);
+    EXPECT_GT(row.metrics, 5 * row.pairs);
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The bundled swing as a perfect pose stage would see it, for tests of what follows the pose stage.
+// The bundled swing as a perfect pose stage would see it, for tests of what follows the pose stage; and any
+// other motion.
 #pragma once
 
 #include <random>
@@ -23,11 +24,11 @@ struct Noise {
   double depth_m = 0;
 };
 
-// What a perfect pose stage would see of the bundled swing in a body, plus noise: 2D from the camera, 3D as
+// What a perfect pose stage would see of a motion in a body, plus noise: 2D from the camera, 3D as
 // BlazePose gives it, hip-centred in the camera's axes.
-inline Filmed film(const Skeleton& body, const Vec3& eye, double view_degrees, const Noise& noise,
-                   int width = 1280, int height = 720) {
-  const Motion truth = retarget(resample(*bundled_motion("swing"), 30), body)->motion;
+inline Filmed film(const Motion& played, const Skeleton& body, const Vec3& eye, double view_degrees,
+                   const Noise& noise, int width = 1280, int height = 720) {
+  const Motion truth = retarget(played, body)->motion;
   const PinholeCamera camera =
       make_camera_looking_at(eye, {0, 0.9, 0.2}, radians_from_degrees(view_degrees), width, height);
   std::mt19937 random(11);
@@ -47,6 +48,12 @@ inline Filmed film(const Skeleton& body, const Vec3& eye, double view_degrees, c
     track.frames.push_back({static_cast<std::size_t>(f), truth.time(f), person});
   }
   return {std::move(track), truth, camera};
+}
+
+// The bundled swing at 30 frames a second.
+inline Filmed film(const Skeleton& body, const Vec3& eye, double view_degrees, const Noise& noise,
+                   int width = 1280, int height = 720) {
+  return film(resample(*bundled_motion("swing"), 30), body, eye, view_degrees, noise, width, height);
 }
 
 }  // namespace posecoach

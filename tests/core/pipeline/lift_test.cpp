@@ -65,7 +65,10 @@ TEST(Lift, a_camera_beside_its_place_is_not_square) {
   for (const double square : {0.0, 90.0})
     for (const double off : {-20.0, 0.0, 20.0}) {
       const LiftedStudent student = at(square + off);
-      EXPECT_EQ(student.is_square, off == 0) << square << " and " << off;
+      EXPECT_EQ(student.side().is_square(), off == 0) << square << " and " << off;
+      // He faces +Z with the target on his left: a camera on the way to his right is negative before him, and
+      // positive towards his front on the target line.
+      EXPECT_NEAR(student.aside_deg, -off, 8) << square << " and " << off;
       EXPECT_EQ(student.view, square == 0 ? View::FaceOn : View::DownTheLine);
       const Viewpoint judged =
           student_from_film("film", film(body, kFaceOn, 50, kWebcam).track, student).view;

@@ -28,7 +28,7 @@ Image room(int width, int height, int grey, int contrast = 80) {
 struct Room {
   GolferFilm film;
   Image image;
-  std::optional<View> view = View::FaceOn;
+  std::optional<CameraSide> side = CameraSide{View::FaceOn, 0};
   std::optional<int> people = 1;
   std::optional<StrokeKind> stroke = StrokeKind::FullSwing;
   SetUpChecks checks;
@@ -44,7 +44,7 @@ struct Room {
   }
   void step(const std::optional<SeenPerson>& person) {
     clock_s += 1 / 30.0;
-    shown = checks.step(media_time_from_seconds(clock_s), {person, view, people, stroke, image});
+    shown = checks.step(media_time_from_seconds(clock_s), {person, side, people, stroke, image});
   }
 };
 
@@ -113,12 +113,47 @@ TEST(SetUpChecks, two_people_are_one_too_many) {
 
 TEST(SetUpChecks, a_putt_wants_the_camera_in_front) {
   Room room;
-  room.view = View::DownTheLine;
+  room.side = CameraSide{View::DownTheLine, 0};
   EXPECT_EQ(room.look(SetUpTopic::View).level, Good);
   room.stroke = StrokeKind::Putt;
   EXPECT_EQ(room.look(SetUpTopic::View).level, Poor);
-  room.view = View::Between;
+  room.side = CameraSide{View::Between, 45};
   EXPECT_EQ(room.look(SetUpTopic::View).level, Poor);
+}
+
+TEST(SetUpChecks, a_camera_is_good_as_far_as_its_films_are_judged_in_full) {
+  for (const View view : {View::FaceOn, View::DownTheLine})
+    for (const double aside_deg : {-25.0, -9.0, 0.0, 9.0, 25.0}) {
+      Room room;
+      room.side = CameraSide{view, aside_deg};
+      const SetUpCheck& check = room.look(SetUpTopic::View);
+      EXPECT_EQ(check.level == Good, room.side->is_square()) << check.words;
+    }
+}
+
+TEST(SetUpChecks, a_camera_a_little_aside_is_told_how_far_and_which_way) {
+  const auto told = [](View view, double aside_deg) {
+    Room room;
+    room.side = CameraSide{view, aside_deg};
+    return room.look(SetUpTopic::View).words;
+  };
+  EXPECT_EQ(told(View::FaceOn, 18), "About 20° off face-on: move the camera to your right");
+  EXPECT_EQ(told(View::FaceOn, -18), "About 20° off face-on: move the camera to your left");
+  EXPECT_NE(told(View::DownTheLine, 16), told(View::DownTheLine, -16));
+  EXPECT_NE(told(View::DownTheLine, 16).find("15°"), std::string::npos);
+}
+
+TEST(SetUpChecks, a_camera_at_the_limit_does_not_flicker) {
+  Room room;
+  room.look(SetUpTopic::View);
+  int changes = 0;
+  for (int i = 0; i < 600; ++i) {
+    room.side = CameraSide{View::FaceOn, kSquare_deg + (i % 60 < 30 ? 0.4 : -0.4)};
+    const SetUpLevel before = room.shown[3].level;
+    room.step(room.film.people[0]);
+    if (room.shown[3].level != before) ++changes;
+  }
+  EXPECT_LE(changes, 1);
 }
 
 TEST(SetUpChecks, nothing_flickers) {
