@@ -240,6 +240,8 @@ std::optional<FeatureHabit> feature_habit(const Viewpoints& views, StrokeKind ki
 
 EventHabit event_habit(Viewpoint view, StrokeKind kind, std::string_view event) {
   if (!is_one_camera(view)) return {0, 0};
+  // From an angle no habits are known, so the doubt is twice the ordinary.
+  if (view == Viewpoint::Between) return {0, 2 * EventHabit().spread_s};
   for (const EventRow& row : kEventRows)
     if (row.view == view && row.kind == kind && row.event == event) return row.habit;
   return {};
