@@ -18,12 +18,11 @@ struct Row {
 
 // A putt down the line cannot be divided into phases.
 constexpr std::array kRows = {
-    Row{"whole", 0.062, 0.062, 0.063, 0.034},          Row{"hips", 0.025, 0.023, 0.013, 0.008},
-    Row{"trunk", 0.072, 0.046, 0.073, 0.030},          Row{"head", 0.123, 0.067, 0.181, 0.026},
-    Row{"lead_arm", 0.090, 0.133, 0.077, 0.096},       Row{"trail_arm", 0.085, 0.096, 0.105, 0.072},
-    Row{"lead_leg", 0.046, 0.075, 0.037, 0.027},       Row{"trail_leg", 0.043, 0.073, 0.048, 0.046},
-    Row{"backswing", 0.059, 0.059, 0.069, 0.034},      Row{"downswing", 0.071, 0.059, 0.066, 0.034},
-    Row{"follow_through", 0.062, 0.066, 0.059, 0.034},
+    Row{"hips", 0.025, 0.023, 0.013, 0.008},      Row{"trunk", 0.072, 0.046, 0.073, 0.030},
+    Row{"head", 0.123, 0.067, 0.181, 0.026},      Row{"lead_arm", 0.090, 0.133, 0.077, 0.096},
+    Row{"trail_arm", 0.085, 0.096, 0.105, 0.072}, Row{"lead_leg", 0.046, 0.075, 0.037, 0.027},
+    Row{"trail_leg", 0.043, 0.073, 0.048, 0.046}, Row{"backswing", 0.059, 0.059, 0.069, 0.034},
+    Row{"downswing", 0.071, 0.059, 0.066, 0.034}, Row{"follow_through", 0.062, 0.066, 0.059, 0.034},
 };
 
 }  // namespace

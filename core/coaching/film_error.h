@@ -21,7 +21,8 @@ class UsualFilmError {
   // from another side both count.
   UsualFilmError between_films(bool from_one_side) const;
 
-  // Mean joint error in leg lengths, of the "whole" or of a part of the score (Score::groups, Score::phases).
+  bool is_none() const { return !is_film_; }
+  // Mean joint error in leg lengths of a part of the score (Score::groups, Score::phases).
   double of(std::string_view part) const;
 
  private:

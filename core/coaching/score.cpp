@@ -16,12 +16,18 @@ constexpr double kHiddenJointError_m = 0.08;
 // How much the usual error of films differs from film to film, as a part of itself.
 constexpr double kUsualErrorSpread = 0.12;
 
+double left_of(double error, double usual_error) {
+  return std::sqrt(std::max(0.0, error * error - usual_error * usual_error));
+}
+
+double percent_from(double error) {
+  return 100 / (1 + std::pow(error / kHalfScore, 1.5));
+}
+
 }  // namespace
 
 double percent_from_error(double mean_joint_error_m, double leg_length_m, double usual_error) {
-  const double error = mean_joint_error_m / std::max(leg_length_m, 0.1);
-  const double left = std::sqrt(std::max(0.0, error * error - usual_error * usual_error));
-  return 100 / (1 + std::pow(left / kHalfScore, 1.5));
+  return percent_from(left_of(mean_joint_error_m / std::max(leg_length_m, 0.1), usual_error));
 }
 
 double leg_length(const JointTrack& track) {
@@ -37,28 +43,6 @@ double leg_length(const JointTrack& track) {
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle;
-}
-
-Score score_of(const Alignment& alignment, const UsualFilmError& usual_error) {
-  const double usual = usual_error.of("whole");
-  Score score;
-  const double pairs = static_cast<double>(alignment.path_error_m.size());
-  const double sum = std::accumulate(alignment.path_error_m.begin(), alignment.path_error_m.end(), 0.0);
-  score.joints_compared = static_cast<int>(alignment.joints.size());
-  score.mean_joint_error_m = sum / pairs;
-  score.raw = sum * score.joints_compared;
-  const double leg = leg_length(alignment.student);
-  score.percent = percent_from_error(score.mean_joint_error_m, leg, usual);
-  // Doubt widens the score; it never moves it.
-  double doubt = 0;
-  for (const auto& [i, j] : alignment.steps)
-    for (const HumanoidJoint joint : alignment.joints) doubt += 1 - alignment.student.confidence(i, joint);
-  doubt *= kHiddenJointError_m / static_cast<double>(alignment.steps.size() * alignment.joints.size());
-  const auto percent = [&](double error_m, double less) { return percent_from_error(error_m, leg, less); };
-  const double low = std::max(0.0, score.mean_joint_error_m - doubt), high = score.mean_joint_error_m + doubt;
-  score.plus_minus =
-      0.5 * (percent(low, usual * (1 + kUsualErrorSpread)) - percent(high, usual * (1 - kUsualErrorSpread)));
-  return score;
 }
 
 namespace {
@@ -80,6 +64,69 @@ const std::vector<BodyPart>& body_parts() {
   return parts;
 }
 
+struct PartError {
+  const char* name = "";
+  double sum_m = 0, joints = 0;
+
+  double mean_m() const { return sum_m / joints; }
+};
+
+std::vector<PartError> part_errors_of(const Alignment& alignment) {
+  const std::vector<JointError> errors = joint_errors_of(alignment);
+  std::vector<PartError> parts;
+  for (const BodyPart& part : body_parts()) {
+    PartError sum{part.name};
+    for (const HumanoidJoint joint : part.joints)
+      for (const JointError& error : errors)
+        if (error.joint == to_string(joint)) {
+          sum.sum_m += error.mean_m;
+          ++sum.joints;
+        }
+    if (sum.joints > 0) parts.push_back(sum);
+  }
+  return parts;
+}
+
+// Of a film: what is left of every part's error, `off_m` more or less of it, when `times` its usual one is
+// taken off; the mean over the joints, leg lengths.
+double left_of(const std::vector<PartError>& parts, const UsualFilmError& usual_error, double leg_m,
+               double off_m, double times) {
+  double sum = 0, joints = 0;
+  for (const PartError& part : parts) {
+    sum += part.joints *
+           left_of(std::max(0.0, part.mean_m() + off_m) / leg_m, times * usual_error.of(part.name));
+    joints += part.joints;
+  }
+  return sum / joints;
+}
+
+}  // namespace
+
+Score score_of(const Alignment& alignment, const UsualFilmError& usual_error) {
+  Score score;
+  const double pairs = static_cast<double>(alignment.path_error_m.size());
+  const double sum = std::accumulate(alignment.path_error_m.begin(), alignment.path_error_m.end(), 0.0);
+  score.joints_compared = static_cast<int>(alignment.joints.size());
+  score.mean_joint_error_m = sum / pairs;
+  score.raw = sum * score.joints_compared;
+  const double leg = std::max(leg_length(alignment.student), 0.1);
+  const std::vector<PartError> parts = part_errors_of(alignment);
+  const auto percent = [&](double off_m, double times) {
+    return usual_error.is_none() ? percent_from(std::max(0.0, score.mean_joint_error_m + off_m) / leg)
+                                 : percent_from(left_of(parts, usual_error, leg, off_m, times));
+  };
+  score.percent = percent(0, 1);
+  // Doubt widens the score; it never moves it.
+  double doubt = 0;
+  for (const auto& [i, j] : alignment.steps)
+    for (const HumanoidJoint joint : alignment.joints) doubt += 1 - alignment.student.confidence(i, joint);
+  doubt *= kHiddenJointError_m / static_cast<double>(alignment.steps.size() * alignment.joints.size());
+  score.plus_minus = 0.5 * (percent(-doubt, 1 + kUsualErrorSpread) - percent(doubt, 1 - kUsualErrorSpread));
+  return score;
+}
+
+namespace {
+
 PartScore part_score(std::string name, double sum, double count, double leg_length_m,
                      const UsualFilmError& usual_error) {
   const double mean = count > 0 ? sum / count : 0;
@@ -91,18 +138,9 @@ PartScore part_score(std::string name, double sum, double count, double leg_leng
 
 std::vector<PartScore> group_scores_of(const Alignment& alignment, const UsualFilmError& usual_error) {
   const double leg = leg_length(alignment.student);
-  const std::vector<JointError> errors = joint_errors_of(alignment);
   std::vector<PartScore> scores;
-  for (const BodyPart& part : body_parts()) {
-    double sum = 0, count = 0;
-    for (const HumanoidJoint joint : part.joints)
-      for (const JointError& error : errors)
-        if (error.joint == to_string(joint)) {
-          sum += error.mean_m;
-          ++count;
-        }
-    if (count > 0) scores.push_back(part_score(part.name, sum, count, leg, usual_error));
-  }
+  for (const PartError& part : part_errors_of(alignment))
+    scores.push_back(part_score(part.name, part.sum_m, part.joints, leg, usual_error));
   return scores;
 }
 

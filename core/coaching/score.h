@@ -8,8 +8,9 @@
 
 namespace posecoach {
 
-// percent = 100 / (1 + (e / h)^1.5), e = mean joint error in leg lengths, h = kHalfScore; of a film, what is
-// left of e when the usual error of its side is taken off: sqrt(e^2 - usual^2), at least 0.
+// percent = 100 / (1 + (e / h)^1.5), e = mean joint error in leg lengths, h = kHalfScore. Of a film, e is the
+// mean over the parts of the body, by their joints, of what is left when a part's usual error is taken off:
+// sqrt(e^2 - usual^2), at least 0.
 inline constexpr double kHalfScore = 0.10;
 
 double percent_from_error(double mean_joint_error_m, double leg_length_m, double usual_error = 0);
