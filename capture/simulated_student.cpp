@@ -65,6 +65,9 @@ Result<std::unique_ptr<SimulatedStudent>> SimulatedStudent::make(const Simulated
       return fail(ErrorCode::InvalidArgument, "a simulated film is 64 to 8192 pixels wide and high");
   Result<GolfScript> script = bundled_script(options.motion);
   if (!script) return tl::unexpected(script.error());
+  if (!(options.length >= 0.1 && options.length <= 2))
+    return fail(ErrorCode::InvalidArgument, "a simulated stroke is 0.1 to 2 times as long as usual");
+  script->lengthen(options.length);
   for (const FaultChoice& fault : options.faults)
     if (auto applied = apply_fault(*script, fault); !applied) return tl::unexpected(applied.error());
   Result<AuthoredMotion> authored =

@@ -22,11 +22,20 @@ class FilmedStudents {
   // Makes the folder; an empty name keeps nothing. Errors: Unreadable.
   static Result<FilmedStudents> make(const std::string& folder, PoseTrackerOptions options);
 
+  // Both from one look, as the live loop has them. Errors: as track().
+  struct Looks {
+    PoseTrack smoothed, unsmoothed;
+  };
+  Result<Looks> looks(const std::string& name, const SimulatedStudentOptions& film);
+
   // `name` tells this film from all others. Errors: those of student, pose stage and files.
   Result<PoseTrack> track(const std::string& name, const SimulatedStudentOptions& film);
 
  private:
   FilmedStudents(std::filesystem::path folder, PoseTrackerOptions options);
+
+  std::filesystem::path file(const std::string& name) const;  // empty where nothing is kept
+  Result<PoseTracker*> tracker();
 
   std::filesystem::path folder_;
   PoseTrackerOptions options_;

@@ -16,7 +16,7 @@ namespace {
 struct Options {
   std::string motion = "swing", body = "average", hand = "right", view = "face-on", size = "1280x720";
   std::vector<std::string> faults;
-  double fps = 60;
+  double fps = 60, length = 1;
   bool list_faults = false;
   std::string output, truth;
 };
@@ -33,6 +33,7 @@ Result<SimulatedStudentOptions> student_options(const Options& options) {
   for (const auto& [key, value] : settings)
     if (auto set = set_simulated_option(student, key, value); !set) return tl::unexpected(set.error());
   student.frames_per_second = options.fps;
+  student.length = options.length;
   return student;
 }
 
@@ -96,6 +97,11 @@ void add_simulate_command(CLI::App& cli, Action& action) {
       ->capture_default_str();
   command->add_option("--fault", options->faults,
                       "NAME or NAME=AMOUNT; may be given several times (--list-faults)");
+  command
+      ->add_option("--length", options->length,
+                   "Give the stroke so much of its way: 0.5 is half as long, in the same time")
+      ->check(CLI::Range(0.1, 2.0))
+      ->capture_default_str();
   command->add_option("--hand", options->hand, "The side he plays from")
       ->check(CLI::IsMember({"right", "left"}))
       ->capture_default_str();

@@ -166,7 +166,8 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
   analysis.student_events = student.events->events;
   analysis.student_takeaway_s = student.events->takeaway_s;
   TimingResult timing = find_timing_advice(swings, alignment);
-  if (const std::string seen = text::seen_from(view); !seen.empty()) analysis.notes.push_back(seen);
+  if (const std::string seen = text::seen_from(view, student.events->kind); !seen.empty())
+    analysis.notes.push_back(seen);
   if (is_one_camera(options.views.coach) && !is_filmed_alike(options.views))
     analysis.notes.push_back(text::coach_seen_elsewhere());
   if (timing.in_proportion) analysis.notes.push_back(text::other_pace(timing.pace, is_one_camera(view)));

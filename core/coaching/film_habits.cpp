@@ -75,9 +75,14 @@ constexpr std::array kEventRows = {
     EventRow{kLine, kSwing, "mid_downswing", {-0.006, 0.005}},
     EventRow{kLine, kSwing, "impact", {-0.020, 0.006}},
     EventRow{kLine, kSwing, "mid_follow_through", {-0.022, 0.014}},
-    EventRow{kFace, kPutt, "takeaway", {-0.043, 0.030}},
-    EventRow{kFace, kPutt, "top", {-0.024, 0.019}},
-    EventRow{kFace, kPutt, "impact", {-0.024, 0.015}},
+    EventRow{kFace, kPutt, "address", {0.004, 0.041}},
+    EventRow{kFace, kPutt, "takeaway", {0.025, 0.034}},
+    EventRow{kFace, kPutt, "top", {-0.034, 0.010}},
+    EventRow{kFace, kPutt, "impact", {-0.023, 0.007}},
+    EventRow{kLine, kPutt, "address", {0.119, 0.097}},
+    EventRow{kLine, kPutt, "takeaway", {0.128, 0.085}},
+    EventRow{kLine, kPutt, "top", {-0.027, 0.009}},
+    EventRow{kLine, kPutt, "impact", {0.025, 0.041}},
 };
 
 struct MetricRow {
@@ -126,6 +131,8 @@ constexpr std::array kPhaseRows = {
     PhaseRow{kLine, kSwing, "takeaway", "top", {0, 1, 0}},
     PhaseRow{kLine, kSwing, "top", "mid_downswing", {0.103, 0.72, 0.28}},
     PhaseRow{kLine, kSwing, "top", "impact", {-0.040, 1, 0}},
+    // Its beginning is seen a tenth of a second early or late: only half a backswing would be clear.
+    PhaseRow{kLine, kPutt, "takeaway", "top", {0, 1, 0.55}},
 };
 
 std::optional<FeatureHabit> row_of(Viewpoint view, StrokeKind kind, std::string_view event, Feature feature) {
@@ -159,14 +166,14 @@ double top_from_angle(const SwingEvents& found, std::optional<double> answered_s
 // the target.
 double turn_of_hands(const SwingEvents& found, const JointTrack& track, const Sight& sight, Viewpoint view,
                      double slow) {
-  const HandPath path = make_hand_path(track, sight);
+  const bool is_putt = found.kind == kPutt;
+  const HandPath path = is_putt ? make_putt_path(track, sight) : make_hand_path(track, sight);
   const auto sample = [&path](double time_s) {
     return std::clamp(static_cast<int>(std::lround((time_s - path.begin_s) * kHandPathRate)), 0,
                       path.count() - 1);
   };
   const int from = sample(found.time_of("top") - 2 * kSwingTurn_s * slow),
             to = sample(found.time_of("top") + 2 * kSwingTurn_s * slow);
-  const bool is_putt = found.kind == kPutt;
   std::vector<double> way;
   if (is_putt) {
     const BodyAxes axes = body_axes(track, track.time(0), track.duration());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/coaching/pendulum.h"
 #include "core/coaching/signal.h"
 
 namespace posecoach {
@@ -12,6 +13,8 @@ namespace {
 using enum HumanoidJoint;
 
 constexpr double kLeastSmoothing_s = 0.006, kMostSmoothing_s = 0.020;
+// A filmed putt moves as little as its joints tremble, and no part of it is shorter than a third of a second.
+constexpr double kPuttSmoothing_s = 0.035;
 // Jitter of quiet hands below which they need no smoothing, and from which on they need the most.
 constexpr double kQuiet_m = 0.0003, kTrembling_m = 0.001;
 constexpr double kQuietShare = 0.2;
@@ -51,6 +54,7 @@ HandPath make_hand_path(const JointTrack& track, const Sight& sight) {
     path.hands.push_back(sight.seen(hands - pelvis));
     path.height.push_back(path.hands.back().y);
     const Vec3 left = fine.position(i, LeftShoulder), right = fine.position(i, RightShoulder);
+    path.shoulder_line.push_back(left - right);
     path.arms.push_back(hands - 0.5 * (left + right));
     path.left_arms.push_back(hands - 0.75 * left - 0.25 * right);
     path.right_arms.push_back(hands - 0.25 * left - 0.75 * right);
@@ -66,10 +70,24 @@ HandPath make_hand_path(const JointTrack& track, const Sight& sight) {
   path.arms = smoothed(path.arms, sigma);
   path.left_arms = smoothed(path.left_arms, sigma);
   path.right_arms = smoothed(path.right_arms, sigma);
+  path.shoulder_line = smoothed(path.shoulder_line, sigma);
   path.speed = speed_of(path.hands, kHandPathRate);
   const auto middle = torso.begin() + static_cast<std::ptrdiff_t>(torso.size() / 2);
   std::nth_element(torso.begin(), middle, torso.end());
   path.torso_m = *middle;
+  return path;
+}
+
+HandPath make_putt_path(const JointTrack& track, const Sight& sight) {
+  HandPath path = make_hand_path(track, sight);
+  if (!sight.direction) return path;
+  const Pendulum pendulum(putt_posture(track), sight);
+  for (int i = 0; i < path.count(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    path.hands[k] = pendulum.hands(path.unweighted_hands[k], path.shoulder_line[k]);
+  }
+  path.hands = smoothed(path.hands, kPuttSmoothing_s * kHandPathRate);
+  path.speed = speed_of(path.hands, kHandPathRate);
   return path;
 }
 

@@ -21,6 +21,7 @@ struct HandPath {
   std::vector<double> height;  // of the hands over the pelvis, metres
   // To the hands from the middle of the shoulders, and from halfway between it and each shoulder, metres.
   std::vector<Vec3> arms, left_arms, right_arms;
+  std::vector<Vec3> shoulder_line;  // from right to left, metres
   double begin_s = 0;
   double torso_m = 0;  // pelvis to neck, median: the body's yardstick
 
@@ -30,6 +31,9 @@ struct HandPath {
 
 // Smoothing grows with how much the hands tremble: a few milliseconds for mocap, most of a frame for films.
 HandPath make_hand_path(const JointTrack& track, const Sight& sight = {});
+// The same for a putt: where one camera cannot see the hands' way, the shoulders tell it (pendulum.h), in
+// `hands` and `speed`.
+HandPath make_putt_path(const JointTrack& track, const Sight& sight = {});
 
 // Angle of the arms above the horizon, degrees.
 std::vector<double> elevation_deg(const std::vector<Vec3>& arm);

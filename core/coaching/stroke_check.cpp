@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/coaching/pendulum.h"
 #include "core/coaching/posture.h"
 #include "core/coaching/text/refusal_text.h"
 
@@ -17,6 +18,7 @@ constexpr double kMostHandsApart = 0.5, kMostHandsApartOneCamera = 0.75;
 constexpr double kMostFeetMoved = 0.4, kMostFeetMovedOneCamera = 0.6;
 // Of the hands' way from address to top.
 constexpr double kMostMissAtImpact = 0.6;
+constexpr double kPuttMean_s = 0.05;
 // Backswing over downswing; hurried and lazy golfers are well inside.
 constexpr double kLeastTempo = 0.7, kMostTempo = 9;
 constexpr double kLeastTurn_deg = 20;
@@ -51,8 +53,20 @@ Result<void> check_stroke(const JointTrack& track, const SwingEvents& swing, con
                                                  middle_of(track, address, LeftAnkle, RightAnkle)));
   if (walked_m > torso_m * (one_camera ? kMostFeetMovedOneCamera : kMostFeetMoved))
     return no_stroke(text::feet_walk(walked_m));
+  const Pendulum pendulum(putt_posture(track), swing.kind == StrokeKind::Putt ? sight : Sight{});
+  const auto hands_at = [&](int frame) {
+    const Vec3 middle = middle_of(track, frame, LeftWrist, RightWrist) - track.position(frame, Pelvis);
+    if (swing.kind == StrokeKind::FullSwing) return sight.seen(middle);
+    return pendulum.hands(middle, track.position(frame, LeftShoulder) - track.position(frame, RightShoulder));
+  };
+  // A filmed putt moves as little as its joints tremble.
   const auto hands = [&](int frame) {
-    return sight.seen(middle_of(track, frame, LeftWrist, RightWrist) - track.position(frame, Pelvis));
+    if (swing.kind == StrokeKind::FullSwing) return hands_at(frame);
+    Vec3 sum(0);
+    const int first = track.nearest_frame(track.time(frame) - kPuttMean_s),
+              last = track.nearest_frame(track.time(frame) + kPuttMean_s);
+    for (int f = first; f <= last; ++f) sum += hands_at(f);
+    return sum / static_cast<double>(last - first + 1);
   };
   const double way_m = glm::distance(hands(top), hands(address)),
                miss_m = glm::distance(hands(impact), hands(address));

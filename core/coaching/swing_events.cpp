@@ -16,6 +16,11 @@ namespace {
 
 using enum HumanoidJoint;
 
+// A camera whose line of sight is nearer to the target line than to the ball.
+constexpr double kHidesTargetLine = 0.7;
+// Of a filmed putt seen along the target line; trembling shoulders alone make half of it.
+constexpr double kLeastWayBackHidden_m = 0.018;
+
 double vote(double value, double sure_at) {
   return std::clamp(value / sure_at, -1.0, 1.0);
 }
@@ -59,13 +64,25 @@ std::vector<double> along(const std::vector<Vec3>& positions, const Vec3& direct
   return values;
 }
 
-// The grip, and where the hands are fastest, which is through the ball.
+// Where the hands are fastest, which is through the ball, and the grip.
 Handedness hand_of_putt(const JointTrack& track, const HandPath& path, const BodyAxes& axes) {
+  constexpr int kHalf = static_cast<int>(0.15 * kHandPathRate);
   const std::vector<double> left = along(path.hands, axes.left);
-  const int fast = index_of_largest(path.speed, 0, path.count() - 1);
-  const double way = value_at(left, fast + 0.1 * kHandPathRate) - value_at(left, fast - 0.1 * kHandPathRate);
-  const double right = vote(right_hand_lower(track, 0, track.frame_count() - 1), 0.05) + vote(way, 0.2);
+  double way = 0;
+  for (std::size_t i = 2 * kHalf; i < left.size(); ++i)
+    if (std::abs(left[i] - left[i - 2 * kHalf]) > std::abs(way)) way = left[i] - left[i - 2 * kHalf];
+  const double range =
+      *std::max_element(left.begin(), left.end()) - *std::min_element(left.begin(), left.end());
+  const double right =
+      vote(right_hand_lower(track, 0, track.frame_count() - 1), 0.05) + 2 * vote(way, 0.4 * range + 1e-9);
   return right >= 0 ? Handedness::Right : Handedness::Left;
+}
+
+double way_back_m(const SwingEvents& putt, const HandPath& path, const BodyAxes& axes) {
+  const auto left_at = [&](std::string_view event) {
+    return value_at(along(path.hands, axes.left), (putt.time_of(event) - path.begin_s) * kHandPathRate);
+  };
+  return std::abs(left_at("top") - left_at("address"));
 }
 
 }  // namespace
@@ -82,10 +99,11 @@ double SwingEvents::time_of(std::string_view name) const {
   return 0;
 }
 
-Result<SwingEvents> find_swing_events(const JointTrack& track, const SegmentationOptions& options) {
-  const HandPath path = make_hand_path(track, options.sight);
-  const auto bow = find_bow(path);
-  const BodyAxes axes = body_axes(track, track.time(0), track.duration());
+namespace {
+
+Result<SwingEvents> find_events(const JointTrack& track, const SegmentationOptions& options,
+                                const HandPath& path, const std::optional<SwingBow>& bow,
+                                const BodyAxes& axes) {
   SwingEvents swing;
   swing.kind = bow ? StrokeKind::FullSwing : StrokeKind::Putt;
   swing.hand =
@@ -109,6 +127,22 @@ Result<SwingEvents> find_swing_events(const JointTrack& track, const Segmentatio
   if (const Result<void> checked = check_stroke(track, swing, options.sight); !checked)
     return tl::unexpected(checked.error());
   return swing;
+}
+
+}  // namespace
+
+Result<SwingEvents> find_swing_events(const JointTrack& track, const SegmentationOptions& options) {
+  HandPath path = make_hand_path(track, options.sight);
+  const auto bow = find_bow(path);
+  if (!bow) path = make_putt_path(track, options.sight);
+  const BodyAxes axes = body_axes(track, track.time(0), track.duration());
+  Result<SwingEvents> found = find_events(track, options, path, bow, axes);
+  // Of the shoulders' small way, what is no stroke and what is too little of one look alike.
+  const bool is_hidden =
+      options.sight.direction && std::abs(glm::dot(*options.sight.direction, axes.left)) > kHidesTargetLine;
+  if (!bow && is_hidden && (!found || way_back_m(*found, path, axes) < kLeastWayBackHidden_m))
+    return fail(ErrorCode::Incomplete, text::putt_too_short_from_here());
+  return found;
 }
 
 }  // namespace posecoach

@@ -13,6 +13,7 @@ constexpr double kGap_s = 0.5;
 constexpr double kMemory_s = 1.2;
 // Takes the edge off trembling joints; a swing is slower.
 constexpr double kSteadied_s = 0.04;
+constexpr double kPostureFollows_s = 0.5;
 // All lengths below are in torsos (hips to shoulders, about half a metre).
 // At address the hands stay this close to each other and to their place for this long.
 constexpr double kRest_s = 0.35, kRestWithin = 0.04, kFeetWithin = 0.12;
@@ -25,7 +26,7 @@ constexpr double kOutlier = 3;
 constexpr double kGrip = 0.6;
 // Down the line the hands are seen in front of the hips.
 constexpr double kHandsInFront = 0.2;
-constexpr double kNearRest = 0.05, kLeft = 0.11;
+constexpr double kNearRest = 0.05, kLeft = 0.11, kNearOfLeft = 0.5;
 constexpr double kFeetLeft = 0.5;
 // The least that a stroke goes back; what is larger swings up on both sides.
 constexpr double kLeastBack = 0.11, kLargeStroke = 0.7;
@@ -37,6 +38,8 @@ constexpr double kLongestWaggle_s = 0.7;
 // A slow rehearsal is slow through the ball; one that stops there is none.
 constexpr double kStopped_s = 0.8;
 constexpr double kFinish_s = 0.25, kFinishWithin = 0.05, kSmallFinishWithin = 0.03;
+// A short putt that still moves does so by no more than a long one that rests.
+constexpr double kRestOfThrough = 0.1, kRestOfTrembling = 4;
 constexpr double kFinishHeld = 0.6;
 // From the address to the ball a full swing takes about so long; what takes longer is slow all the way.
 constexpr double kUsualToBall_s = 1.2, kSlowest = 4;
@@ -45,7 +48,7 @@ constexpr double kUsualToBall_s = 1.2, kSlowest = 4;
 constexpr double kMostThroughOfBack = 4, kMostThroughOfPutt = 0.45;
 // The least lengths of strokes are for hands that tremble so much at address; the less they do, the shorter a
 // putt may be.
-constexpr double kMuchTrembling = 0.012, kShortest = 0.55;
+constexpr double kMuchTrembling = 0.012, kShortest = 0.35;
 
 // Between two samples the hands went straight.
 double nearest_to(const Vec3& place, const Vec3& from, const Vec3& to) {
@@ -57,6 +60,17 @@ double nearest_to(const Vec3& place, const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
+void SwingFinder::follow_posture(MediaTime time, const JointMoment& student) {
+  if (posture_ && phase_ == Phase::Swinging) return;
+  const PuttPosture now = putt_posture(student);
+  if (!posture_ || samples_.empty()) {
+    posture_ = now;
+    return;
+  }
+  posture_ =
+      between(*posture_, now, 1 - std::exp(-to_seconds(time - samples_.back().time) / kPostureFollows_s));
+}
+
 std::optional<SwingFinder::Sample> SwingFinder::sample_of(MediaTime time, const JointMoment& student,
                                                           const Sight& sight) {
   const double torso =
@@ -64,8 +78,11 @@ std::optional<SwingFinder::Sample> SwingFinder::sample_of(MediaTime time, const 
   if (torso < 0.1) return std::nullopt;
   // Bent or turned, a torso looks short: its length is the longest of late.
   torso_m_ = std::max(torso, torso_m_ - 0.0005 * torso_m_);
-  Vec3 hands =
-      sight.seen(student.middle(LeftWrist, RightWrist) - student.middle(LeftHip, RightHip)) / torso_m_;
+  follow_posture(time, student);
+  Vec3 hands = Pendulum(*posture_, sight)
+                   .hands(student.middle(LeftWrist, RightWrist) - student.middle(LeftHip, RightHip),
+                          student.at(LeftShoulder) - student.at(RightShoulder)) /
+               torso_m_;
   if (!samples_.empty()) {
     const double seconds = to_seconds(time - samples_.back().time);
     hands = glm::mix(samples_.back().hands, hands, 1 - std::exp(-seconds / kSteadied_s));
@@ -83,7 +100,7 @@ std::optional<FoundSwing> SwingFinder::step(MediaTime time, const JointMoment& s
   if (!sample) return std::nullopt;
   samples_.push_back(*sample);
   while (to_seconds(time - samples_.front().time) > kMemory_s) samples_.pop_front();
-  if (phase_ != Phase::Searching && glm::distance(sample->hands, rest_) < kNearRest) near_rest_at_ = time;
+  if (phase_ != Phase::Searching && glm::distance(sample->hands, rest_) < near_rest()) near_rest_at_ = time;
   if (phase_ == Phase::Swinging) return follow(student, sight);
   search(student, sight, seconds);
   return std::nullopt;
@@ -119,6 +136,24 @@ bool SwingFinder::is_creeping(double spread) const {
 
 double SwingFinder::shortest() const {
   return std::clamp(trembling_ / kMuchTrembling, kShortest, 1.0);
+}
+
+double SwingFinder::near_rest() const {
+  return std::min(kNearRest, kNearOfLeft * shortest() * kLeft);
+}
+
+// A large stroke comes back to where the hands rested. Of a small one it is enough that the hands are as far
+// as there on their way: a pose model does not let them come back quite.
+bool SwingFinder::passes_rest() const {
+  const Vec3 away = samples_.back().hands - stroke_.rest;
+  const double back = glm::length(stroke_.back), within = std::max(near_rest(), kPassesWithin * back);
+  const double nearest = samples_.size() < 2 ? glm::length(away)
+                                             : nearest_to(stroke_.rest, samples_[samples_.size() - 2].hands,
+                                                          samples_.back().hands);
+  if (nearest <= within) return true;
+  if (back >= kLargeStroke || back < shortest() * kLeastBack) return false;
+  const double along = glm::dot(away, stroke_.back) / back;
+  return along <= kPassesWithin * back && glm::length(away - along / back * stroke_.back) < back;
 }
 
 Vec3 SwingFinder::mean_hands(double seconds) const {
@@ -192,14 +227,11 @@ std::optional<FoundSwing> SwingFinder::follow(const JointMoment& student, const 
   }
   if (glm::length(away) > glm::length(stroke_.back)) stroke_.back = away;
   const double back = glm::length(stroke_.back);
-  const double nearest = samples_.size() < 2
-                             ? glm::length(away)
-                             : nearest_to(stroke_.rest, samples_[samples_.size() - 2].hands, now.hands);
-  if (nearest > std::max(kNearRest, kPassesWithin * back)) return std::nullopt;
+  if (!passes_rest()) return std::nullopt;
   if (back >= shortest() * kLeastBack) {
     stroke_.passed_at = now.time;
     stroke_.through = glm::length(away) < back ? away : Vec3(0);
-  } else if (glm::length(away) < kNearRest) {
+  } else if (glm::length(away) < near_rest()) {
     phase_ = Phase::AtAddress;  // a twitch
   }
   return std::nullopt;
@@ -230,8 +262,10 @@ std::optional<FoundSwing> SwingFinder::go_through() {
   // Hands in slow motion seem to rest: they must rest for as much longer.
   const double slower = is_large ? slowness() : 1;
   const double finish_s = kFinish_s * slower, longest_s = kLongestThrough_s * slower;
-  const bool rests =
-      since_s >= finish_s && is_resting(finish_s, is_large ? kFinishWithin : kSmallFinishWithin);
+  const double small_within =
+      std::clamp(kRestOfThrough * through, std::min(kRestOfTrembling * trembling_, kSmallFinishWithin),
+                 kSmallFinishWithin);
+  const bool rests = since_s >= finish_s && is_resting(finish_s, is_large ? kFinishWithin : small_within);
   if (went_through && ((rests && is_held) || (is_large && since_s > longest_s))) {
     const bool goes_up = stroke_.back.y > kLargeStroke;
     const FoundSwing found{goes_up ? StrokeKind::FullSwing : StrokeKind::Putt, stroke_.begin, now.time};

@@ -2,8 +2,9 @@
 // the club, the hands go back, come through where they were, and go out on the other side to their finish.
 // Waggles come back to where they began, people who walk about have no address.
 //
-// The less the hands tremble at address, the shorter a putt may be. A putt seen along the target line hardly
-// moves in the picture; it is not found.
+// The less the hands tremble at address, the shorter a putt may be. What the camera cannot see of the hands'
+// way, because it runs along its line of sight, the shoulders tell (pendulum.h): from behind, a putt is found
+// by them.
 #pragma once
 
 #include <deque>
@@ -11,6 +12,7 @@
 
 #include "core/base/time.h"
 #include "core/coaching/joint_moment.h"
+#include "core/coaching/pendulum.h"
 #include "core/coaching/sight.h"
 #include "core/coaching/swing_events.h"
 
@@ -53,12 +55,15 @@ class SwingFinder {
     std::optional<MediaTime> passed_at;
   };
 
+  void follow_posture(MediaTime time, const JointMoment& student);
   std::optional<Sample> sample_of(MediaTime time, const JointMoment& student, const Sight& sight);
   // How much the hands trembled about their mean; nothing where they, or the feet, moved.
   std::optional<double> trembling(double seconds, double hands_within) const;
   bool is_resting(double seconds, double hands_within) const;
   bool is_creeping(double spread) const;  // more than the trembling at address
   double shortest() const;                // strokes, in parts of those that much trembling allows
+  double near_rest() const;
+  bool passes_rest() const;
   Vec3 mean_hands(double seconds) const;
   bool has_hands_on_club(const JointMoment& student, const Sight& sight) const;
   void search(const JointMoment& student, const Sight& sight, double seconds);
@@ -69,6 +74,7 @@ class SwingFinder {
 
   Phase phase_ = Phase::Searching;
   double torso_m_ = 0;
+  std::optional<PuttPosture> posture_;  // of late; as it was at address while the hands are away
   double address_s_ = 0;
   std::deque<Sample> samples_;
   Vec3 rest_;  // of the hands at address

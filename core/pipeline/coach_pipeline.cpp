@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/coaching/text/set_up_text.h"
 #include "core/pipeline/address_watch.h"
 #include "core/pipeline/body_measuring.h"
 #include "core/pipeline/ghost_driver.h"
@@ -46,7 +47,7 @@ class CoachPipeline::Implementation {
     snapshot.person = seen->person;
     const std::optional<LiveStudent> student = follow_student(frame, seen->person, snapshot);
     measure_body(frame.time, snapshot);
-    step_loop(frame, *seen, student, snapshot);
+    step_loop(frame, as_judged(*seen), student, snapshot);
     if (const Result<void> counted = count_people(frame, student.has_value()); !counted)
       return tl::unexpected(counted.error());
     check_set_up(frame, seen->person, student, snapshot);
@@ -109,6 +110,12 @@ class CoachPipeline::Implementation {
     PinholeCamera camera;
     std::optional<Ghost> ghost;
   };
+
+  // What is kept of a swing is what a film of it would give.
+  PoseObservation as_judged(PoseObservation seen) const {
+    if (std::optional<SeenPerson> unsmoothed = estimator_->unsmoothed()) seen.person = std::move(unsmoothed);
+    return seen;
+  }
 
   void change_coach() {
     ghost_.set_coach(nullptr);
@@ -281,6 +288,9 @@ class CoachPipeline::Implementation {
     const std::optional<CameraSide> side = student ? std::optional(student->side) : std::nullopt;
     const std::optional<StrokeKind> stroke = ghost_.coach() ? ghost_.coach()->kind : std::nullopt;
     snapshot.checks = checks_.step(frame.time, {person, side, people_, stroke, *frame.image});
+    // Who is armed has walked away from the checks, and would wait for a short putt for ever.
+    if (loop_.is_armed() && snapshot.swing_message.empty() && checks_.tells_putt_from_behind())
+      snapshot.swing_message = text::set_up(text::SetUp::ArmedForPuttFromBehind);
   }
 
   void look_at_address(MediaTime time, const std::optional<LiveStudent>& student, CoachSnapshot& snapshot) {

@@ -98,7 +98,7 @@ SetUpCheck view(const SetUpSight& sight, const SetUpCheck* before) {
   const CameraSide& side = *sight.side;
   if (side.view == View::Between) return {SetUpTopic::View, Poor, said(AtAnAngle)};
   if (side.view == View::DownTheLine && sight.stroke == StrokeKind::Putt)
-    return {SetUpTopic::View, Poor, said(PuttFromHere)};
+    return {SetUpTopic::View, Poor, said(PuttFromBehind)};
   if (!is_below(std::abs(side.aside_deg), kSquare_deg, before == nullptr || before->level == Good))
     return {SetUpTopic::View, Poor, text::camera_stands_aside(viewpoint_of(side.view), side.aside_deg)};
   return {SetUpTopic::View, Good, said(side.view == View::FaceOn ? FaceOn : DownTheLine)};
@@ -147,6 +147,10 @@ std::optional<Brightness> measure_brightness(const Image& image, const ImageKeyp
   const Brightness brightness{mean(inside), around.empty() ? mean(inside) : mean(around),
                               inside[inside.size() * 95 / 100] - inside[inside.size() * 5 / 100]};
   return brightness;
+}
+
+bool SetUpChecks::tells_putt_from_behind() const {
+  return !shown_.empty() && shown_[static_cast<std::size_t>(SetUpTopic::View)].words == said(PuttFromBehind);
 }
 
 const std::vector<SetUpCheck>& SetUpChecks::step(MediaTime time, const SetUpSight& sight) {

@@ -34,6 +34,8 @@ class SetUpChecks {
  public:
   // All five topics, in the order of SetUpTopic.
   const std::vector<SetUpCheck>& step(MediaTime time, const SetUpSight& sight);
+  // Whether it is told that the camera stands on the line that the putt is played along.
+  bool tells_putt_from_behind() const;
   void reset() { *this = SetUpChecks(); }
 
  private:

@@ -50,6 +50,8 @@ class PoseTracker::Implementation {
     return std::optional(static_cast<int>(people->size()));
   }
 
+  const std::optional<SeenPerson>& unsmoothed() const { return unsmoothed_; }
+
   void reset() {
     lose();
     last_region_.reset();
@@ -62,6 +64,7 @@ class PoseTracker::Implementation {
 
   std::optional<SeenPerson> lose() {
     region_.reset();
+    unsmoothed_.reset();
     points_.reset();
     smoother_.reset();
     return std::nullopt;
@@ -73,6 +76,7 @@ class PoseTracker::Implementation {
                                  points_.smooth(1, time, answer.scale_point_px, size_px));
     last_region_ = region_;
     if (options_.smoothing == Smoothing::Off || options_.search == Search::InEveryFrame) return answer.person;
+    unsmoothed_ = answer.person;
     return smoother_.smooth(time, answer.person, size_px);
   }
 
@@ -81,6 +85,7 @@ class PoseTracker::Implementation {
   LandmarkModel landmarks_;
   PointSmoother points_{2, kRegionOptions};
   LandmarkSmoother smoother_;
+  std::optional<SeenPerson> unsmoothed_;         // of the last frame, where it was smoothed
   std::optional<RegionOfInterest> region_;       // where to look next; nothing: search
   std::optional<RegionOfInterest> last_region_;  // where the person was last
 };
@@ -107,6 +112,10 @@ Result<PoseObservation> PoseTracker::estimate(const Frame& frame) {
   auto person = implementation_->estimate(frame);
   if (!person) return tl::unexpected(person.error());
   return PoseObservation{frame.index, frame.time, *person};
+}
+
+std::optional<SeenPerson> PoseTracker::unsmoothed() const {
+  return implementation_->unsmoothed();
 }
 
 Result<std::optional<int>> PoseTracker::count_people(const Frame& frame) {

@@ -33,6 +33,7 @@ class PoseTracker : public PoseEstimator {
 
   ~PoseTracker() override;
   Result<PoseObservation> estimate(const Frame& frame) override;
+  std::optional<SeenPerson> unsmoothed() const override;
   Result<std::optional<int>> count_people(const Frame& frame) override;
   void reset() override;
 

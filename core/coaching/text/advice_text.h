@@ -29,7 +29,7 @@ std::string no_clear_difference(double percent);
 
 // Remarks.
 // What one camera cannot tell; empty where every direction is known.
-std::string seen_from(Viewpoint view);
+std::string seen_from(Viewpoint view, StrokeKind kind);
 std::string coach_seen_elsewhere();
 // The swing as a whole takes `ratio` times as long as the coach's.
 std::string other_pace(double ratio, bool is_film);

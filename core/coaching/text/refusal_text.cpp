@@ -38,6 +38,12 @@ std::string ends_before_impact() {
   return "the motion ends before impact";
 }
 
+std::string putt_too_short_from_here() {
+  return "seen along the target line, the putt is lost in the tremble of the joints: film putts face-on, "
+         "with "
+         "the camera in front of you";
+}
+
 std::string out_of_order(std::string_view event, std::string_view other) {
   return filled("the moments of the stroke do not follow each other: {event} would come before {other}",
                 {{"event", std::string(event)}, {"other", std::string(other)}});

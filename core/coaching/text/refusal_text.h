@@ -18,6 +18,8 @@ std::string no_rest_before_the_stroke();
 std::string hands_stay_up();
 std::string hands_do_not_come_back();
 std::string ends_before_impact();
+// In place of all of them, where one camera looks along the line that the hands swing on.
+std::string putt_too_short_from_here();
 std::string out_of_order(std::string_view event, std::string_view other);
 // Whole lines, with the names of the motions.
 std::string strokes_differ(const std::string& student, StrokeKind students, const std::string& coach);

@@ -14,13 +14,16 @@ std::string no_clear_difference(double percent) {
   return "No clear difference from the coach was found.";
 }
 
-std::string seen_from(Viewpoint view) {
+std::string seen_from(Viewpoint view, StrokeKind kind) {
   switch (view) {
     case Viewpoint::AllSides:
       return {};
     case Viewpoint::FaceOn:
       return "Filmed face-on: turns, and what happens towards the ball, are not judged.";
     case Viewpoint::DownTheLine:
+      if (kind == StrokeKind::Putt)
+        return "Filmed down the line: of a putt only the way from the top to the ball is judged; film putts "
+               "face-on.";
       return "Filmed down the line: turns, the lead arm, and what happens along the target line are not "
              "judged.";
     case Viewpoint::Between:

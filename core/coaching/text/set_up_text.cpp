@@ -31,7 +31,10 @@ constexpr std::array<std::string_view, 27> kSetUp = {
     "Stand at address to check the view",
     "Face-on",
     "Down the line",
-    "A putt cannot be judged from here: put the camera in front of you",
+    "Film putts face-on: put the camera in front of you",
+    "Film putts face-on: from here only a long putt is seen, and only its tempo can be told. Put the camera "
+    "in "
+    "front of you.",
     "The camera sees you at an angle: put it in front of you, or on the target line",
     "Too far away: come closer",
     "Rather far away: come closer",

@@ -68,6 +68,18 @@ void GolfScript::stretch(std::string_view from, std::string_view to, double fact
   rebuild();
 }
 
+void GolfScript::lengthen(double factor) {
+  POSECOACH_ASSERT(factor > 0);
+  const double address = time_of("address");
+  for (Keys& keys : keys_) {
+    // How much the shaft is turned to the ball is no way.
+    if (keys.is_added || keys.channel == GolfChannel::BallAim) continue;
+    const double from = keys.curve.value(address);
+    for (auto& [instant, value] : keys.values) value = from + factor * (value - from);
+  }
+  rebuild();
+}
+
 Result<GolfScript> GolfScript::parse(std::string_view json, std::string_view name) {
   const auto malformed = [&](const std::string& what) {
     return fail(ErrorCode::Malformed, std::string(name) + ": " + what);

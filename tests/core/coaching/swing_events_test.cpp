@@ -125,6 +125,44 @@ TEST(SwingEvents, hold_when_the_joints_tremble_as_a_webcams_do) {
     EXPECT_NEAR(found.time_of(name), stroke.time_of(name), 1.5 * kFrame_s) << name;
 }
 
+// A camera on the target line sees nothing of the hands' way: here it is anything, in every frame.
+TEST(SwingEvents, of_a_putt_down_the_line_are_told_by_the_shoulders_alone) {
+  for (const double fps : {30.0, 60.0})
+    for (const double length : {0.5, 1.0, 1.5})
+      for (const double height : {1.5, 1.8, 2.0})
+        for (const Handedness hand : {Handedness::Right, Handedness::Left}) {
+          SCOPED_TRACE(std::to_string(height) + " m, " + std::to_string(length) + " long, " +
+                       std::to_string(fps) + " fps");
+          GolfScript script = bundled_script("putt").value();
+          script.lengthen(length);
+          const AuthoredMotion stroke = make_stroke(script, {"putt", fps, {.height_m = height}, hand});
+          std::mt19937 random(3);
+          std::normal_distribution<double> normal;
+          const Motion seen = with_positions(stroke.motion, [&](int, int, const Vec3& p) {
+            return p + Vec3(0.02 * normal(random), 0.0001 * normal(random), 0.0001 * normal(random));
+          });
+          const auto track = JointTrack::from_motion(seen);
+          const auto found = find_swing_events(*track, {{}, {Vec3(1, 0, 0)}});
+          ASSERT_TRUE(found) << found.error().message;
+          EXPECT_EQ(found->kind, StrokeKind::Putt);
+          EXPECT_EQ(found->hand, hand);
+          for (const SwingEvent& event : found->events)
+            EXPECT_NEAR(event.time_s, stroke.time_of(event.name), kFrame_s) << event.name;
+          EXPECT_NEAR(found->takeaway_s, stroke.time_of("takeaway"), kFrame_s);
+        }
+}
+
+TEST(SwingEvents, of_a_putt_lost_in_the_tremble_are_refused_with_what_to_do) {
+  GolfScript script = bundled_script("putt").value();
+  script.lengthen(0.15);
+  const Motion seen = trembling(make_stroke(script, {"putt", 30}).motion, 0.004);
+  const JointTrack track = JointTrack::from_motion(seen).value();
+  const auto from_behind = find_swing_events(track, {{}, {Vec3(1, 0, 0)}});
+  ASSERT_FALSE(from_behind);
+  EXPECT_NE(from_behind.error().message.find("film putts face-on"), std::string::npos)
+      << from_behind.error().message;
+}
+
 TEST(SwingEvents, are_refused_with_a_reason_when_nobody_swings) {
   const Motion swing = make_stroke().motion;
   const Motion still =

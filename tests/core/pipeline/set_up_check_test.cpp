@@ -116,7 +116,9 @@ TEST(SetUpChecks, a_putt_wants_the_camera_in_front) {
   room.side = CameraSide{View::DownTheLine, 0};
   EXPECT_EQ(room.look(SetUpTopic::View).level, Good);
   room.stroke = StrokeKind::Putt;
-  EXPECT_EQ(room.look(SetUpTopic::View).level, Poor);
+  const SetUpCheck from_behind = room.look(SetUpTopic::View);
+  EXPECT_EQ(from_behind.level, Poor);
+  EXPECT_NE(from_behind.words.find("face-on"), std::string::npos) << from_behind.words;
   room.side = CameraSide{View::Between, 45};
   EXPECT_EQ(room.look(SetUpTopic::View).level, Poor);
 }

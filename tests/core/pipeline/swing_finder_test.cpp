@@ -138,6 +138,36 @@ TEST(SwingFinder, short_putts_are_found) {
       }
 }
 
+// Down the line the hands go along the line of sight: the shoulders alone tell the stroke.
+TEST(SwingFinder, putts_down_the_line_are_found) {
+  for (const double length : {0.5, 1.0, 1.5})
+    for (const double fps : {30.0, 60.0})
+      for (const bool is_left_handed : {false, true})
+        for (const unsigned seed : {1U, 2U, 3U}) {
+          const GolferFilm film = film_golfer({.stroke = "putt",
+                                               .is_left_handed = is_left_handed,
+                                               .fps = fps,
+                                               .parts = {{Walk, 2},
+                                                         {Stand, 2},
+                                                         {Stroke},
+                                                         {Stand, 3},
+                                                         {Waggle, 2},
+                                                         {Stand, 1},
+                                                         {Stroke},
+                                                         {Stand, 2},
+                                                         {Walk, 2}},
+                                               .length = length},
+                                              down_the_line_camera(is_left_handed), kFilteredNoise, seed);
+          const Found found = find_swings(film);
+          EXPECT_EQ(found.swings.size(), 2U) << length << " " << fps << is_left_handed;
+          for (std::size_t k = 0; k < std::min<std::size_t>(found.swings.size(), 2); ++k) {
+            EXPECT_EQ(found.swings[k].kind, StrokeKind::Putt);
+            EXPECT_GT(to_seconds(found.swings[k].begin), film.stroke_begin_s[k]);
+            EXPECT_LT(found.seen_at_s[k], film.stroke_end_s[k] + 0.6) << "told in time";
+          }
+        }
+}
+
 TEST(SwingFinder, waggles_and_walking_about_are_not_swings) {
   for (const PoseNoise& noise : {kWebcamNoise, kFilteredNoise})
     for (const bool is_face_on : {true, false}) {

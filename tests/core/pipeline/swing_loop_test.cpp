@@ -96,6 +96,34 @@ TEST(SwingLoop, the_answer_comes_soon_after_the_finish) {
   }
 }
 
+TEST(SwingLoop, who_waits_for_a_putt_before_a_camera_behind_him_is_told_where_to_put_it) {
+  const auto message = [](const std::string& stroke, bool is_face_on, bool is_armed) {
+    Session session({.stroke = stroke, .parts = {{Walk, 2}, {Stand, 4}}},
+                    is_face_on ? face_on_camera() : down_the_line_camera(false));
+    if (is_armed) session.pipeline.arm();
+    session.play();
+    return session.snapshots.back().swing_message;
+  };
+  EXPECT_EQ(message("putt", false, true).rfind("Film putts face-on", 0), 0U);
+  EXPECT_EQ(message("putt", false, false), "") << "the set-up checks tell it";
+  EXPECT_EQ(message("putt", true, true), "");
+  EXPECT_EQ(message("swing", false, true), "");
+}
+
+TEST(SwingLoop, a_long_putt_down_the_line_is_found_and_divided) {
+  Session session({.stroke = "putt", .parts = {{Stand, 3}, {Stroke}, {Stand, 3}}, .length = 1.5},
+                  down_the_line_camera(false));
+  session.pipeline.arm();
+  session.play();
+  ASSERT_EQ(session.swings().size(), 1U) << session.snapshots.back().swing_message;
+  const Analysis& analysis = session.swings()[0]->pair.analysis;
+  ASSERT_EQ(analysis.student_events.size(), 4U);
+  const AuthoredMotion putt = bundled_authored_motion("putt").value();
+  // From the first frame of the swing's own film.
+  const double told = analysis.student_events[2].time_s - analysis.student_events[1].time_s;
+  EXPECT_NEAR(told, putt.time_of("impact") - putt.time_of("top"), 2.0 / 30);
+}
+
 TEST(SwingLoop, a_swing_in_slow_motion_is_kept_to_its_finish) {
   for (const bool is_face_on : {true, false}) {
     Session session({.parts = {{Stand, 3}, {Stroke}, {Stand, 3}}, .slower = 3},
