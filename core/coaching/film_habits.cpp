@@ -293,7 +293,7 @@ SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, 
     event.time_s -= habit(event.name);
   }
   if (view == kLine && found.kind == kSwing)
-    right.takeaway_s = takeaway_down_the_line(found, student, alignment.sight).value_or(found.takeaway_s);
+    right.takeaway_s = takeaway_down_the_line(found, track, sight).value_or(found.takeaway_s);
   right.takeaway_s = std::max(0.0, right.takeaway_s - habit("takeaway"));
   SwingEvent& address = right.events.front();
   address.time_s = std::max(0.0, std::min(address.time_s, right.takeaway_s));

@@ -9,7 +9,7 @@ namespace posecoach::text {
 namespace {
 
 // In the order of SetUp.
-constexpr std::array<std::string_view, 27> kSetUp = {
+constexpr std::array<std::string_view, 28> kSetUp = {
     "Step into the picture",
     "Only part of you is in the picture: step back",
     "Your feet are cut off: step back or tilt the camera down",
