@@ -76,7 +76,7 @@ constexpr std::array kEventRows = {
     EventRow{kLine, kSwing, "impact", {-0.020, 0.006}},
     EventRow{kLine, kSwing, "mid_follow_through", {-0.022, 0.014}},
     EventRow{kFace, kPutt, "address", {0.004, 0.041}},
-    EventRow{kFace, kPutt, "takeaway", {0.025, 0.034}},
+    EventRow{kFace, kPutt, "takeaway", {0.025, 0.050}},
     EventRow{kFace, kPutt, "top", {-0.034, 0.010}},
     EventRow{kFace, kPutt, "impact", {-0.023, 0.007}},
     EventRow{kLine, kPutt, "address", {0.119, 0.097}},

@@ -78,6 +78,10 @@ Handedness hand_of_putt(const JointTrack& track, const HandPath& path, const Bod
   return right >= 0 ? Handedness::Right : Handedness::Left;
 }
 
+bool hides_target_line(const Sight& sight, const BodyAxes& axes) {
+  return sight.direction && std::abs(glm::dot(*sight.direction, axes.left)) > kHidesTargetLine;
+}
+
 double way_back_m(const SwingEvents& putt, const HandPath& path, const BodyAxes& axes) {
   const auto left_at = [&](std::string_view event) {
     return value_at(along(path.hands, axes.left), (putt.time_of(event) - path.begin_s) * kHandPathRate);
@@ -124,6 +128,8 @@ Result<SwingEvents> find_events(const JointTrack& track, const SegmentationOptio
   for (std::size_t k = 1; k < swing.events.size(); ++k)
     if (swing.events[k].time_s <= swing.events[k - 1].time_s)
       return fail(ErrorCode::Incomplete, text::out_of_order(swing.events[k].name, swing.events[k - 1].name));
+  if (hides_target_line(options.sight, axes) && !bow && way_back_m(swing, path, axes) < kLeastWayBackHidden_m)
+    return fail(ErrorCode::Incomplete, text::putt_too_short_from_here());
   if (const Result<void> checked = check_stroke(track, swing, options.sight); !checked)
     return tl::unexpected(checked.error());
   return swing;
@@ -138,9 +144,7 @@ Result<SwingEvents> find_swing_events(const JointTrack& track, const Segmentatio
   const BodyAxes axes = body_axes(track, track.time(0), track.duration());
   Result<SwingEvents> found = find_events(track, options, path, bow, axes);
   // Of the shoulders' small way, what is no stroke and what is too little of one look alike.
-  const bool is_hidden =
-      options.sight.direction && std::abs(glm::dot(*options.sight.direction, axes.left)) > kHidesTargetLine;
-  if (!bow && is_hidden && (!found || way_back_m(*found, path, axes) < kLeastWayBackHidden_m))
+  if (!found && !bow && found.error().code == ErrorCode::Incomplete && hides_target_line(options.sight, axes))
     return fail(ErrorCode::Incomplete, text::putt_too_short_from_here());
   return found;
 }

@@ -36,7 +36,7 @@ constexpr double kLongestBack_s = 8, kLongestThrough_s = 1.6;
 // A small stroke that has not come through by then was a waggle.
 constexpr double kLongestWaggle_s = 0.7;
 // A slow rehearsal is slow through the ball; one that stops there is none.
-constexpr double kStopped_s = 0.8;
+constexpr double kStopped_s = 0.8, kSlow = 1.25;
 constexpr double kFinish_s = 0.25, kFinishWithin = 0.05, kSmallFinishWithin = 0.03;
 // A short putt that still moves does so by no more than a long one that rests.
 constexpr double kRestOfThrough = 0.1, kRestOfTrembling = 4;
@@ -266,14 +266,17 @@ std::optional<FoundSwing> SwingFinder::go_through() {
       std::clamp(kRestOfThrough * through, std::min(kRestOfTrembling * trembling_, kSmallFinishWithin),
                  kSmallFinishWithin);
   const bool rests = since_s >= finish_s && is_resting(finish_s, is_large ? kFinishWithin : small_within);
-  if (went_through && ((rests && is_held) || (is_large && since_s > longest_s))) {
+  const bool is_slow = is_large && slower > kSlow;
+  const bool has_stopped = rests && glm::length(away) < kLeft && (!is_slow || since_s > kStopped_s);
+  // Back twice, with a rest at the ball between.
+  const bool has_rehearsed = has_stopped && !is_other_side;
+  if (went_through && !has_rehearsed && ((rests && is_held) || (is_large && since_s > longest_s))) {
     const bool goes_up = stroke_.back.y > kLargeStroke;
     const FoundSwing found{goes_up ? StrokeKind::FullSwing : StrokeKind::Putt, stroke_.begin, now.time};
     give_up();
     return found;
   }
-  const bool has_stopped = rests && glm::length(away) < kLeft && (!is_large || since_s > kStopped_s);
-  if (!went_through && (has_stopped || (!is_large && since_s > kLongestWaggle_s)))
+  if (has_rehearsed || (!went_through && (has_stopped || (!is_large && since_s > kLongestWaggle_s))))
     phase_ = Phase::AtAddress;  // a waggle; the stroke may follow at once
   else if ((rests && glm::length(away) >= kLeft) || since_s > 2 * longest_s)
     give_up();

@@ -139,6 +139,28 @@ TEST(PoseTracking, the_simulated_students_joints_are_found_where_they_are) {
   EXPECT_LT(distances_px[80], 8);
 }
 
+TEST(PoseTracking, what_was_smoothed_is_there_unsmoothed_as_well) {
+  SKIP_WITHOUT_MODELS();
+  const auto student = make_student();
+  const auto smooth = make_tracker(Smoothing::On), raw = make_tracker(Smoothing::Off);
+  double apart_px = 0;
+  for (int i = 40; i < 46; ++i) {
+    const Frame frame = make_frame(static_cast<std::size_t>(i), student->draw(i));
+    const auto smoothed = smooth->estimate(frame)->person, seen = raw->estimate(frame)->person;
+    const auto unsmoothed = smooth->unsmoothed();
+    ASSERT_TRUE(smoothed && seen && unsmoothed);
+    EXPECT_FALSE(raw->unsmoothed());
+    for (std::size_t k = 0; k < kLandmarkCount; ++k) {
+      EXPECT_EQ(unsmoothed->image[k].position_px, seen->image[k].position_px);
+      apart_px =
+          std::max(apart_px, glm::distance(smoothed->image[k].position_px, seen->image[k].position_px));
+    }
+  }
+  EXPECT_GT(apart_px, 0.5) << "nothing was smoothed";
+  ASSERT_FALSE(smooth->estimate(make_frame(60, make_meadow()))->person);
+  EXPECT_FALSE(smooth->unsmoothed());
+}
+
 TEST(PoseTracking, an_empty_meadow_holds_nobody) {
   SKIP_WITHOUT_MODELS();
   const auto tracker = make_tracker();

@@ -39,9 +39,9 @@ std::string ends_before_impact() {
 }
 
 std::string putt_too_short_from_here() {
-  return "seen along the target line, the putt is lost in the tremble of the joints: film putts face-on, "
-         "with "
-         "the camera in front of you";
+  return "no full swing is seen, and along the target line a putt is lost in the tremble of the joints: film "
+         "putts "
+         "face-on, with the camera in front of you";
 }
 
 std::string out_of_order(std::string_view event, std::string_view other) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/motion/bundled_motion.h"
+
 namespace posecoach {
 namespace {
 
@@ -31,6 +33,22 @@ TEST(GolfScript, stretching_a_part_moves_what_follows) {
   EXPECT_NEAR(script.time_of("top"), 2.0, 1e-12);
   EXPECT_NEAR(script.time_of("impact"), 2.5, 1e-12);
   EXPECT_NEAR(script.pose(2.0)[GolfChannel::PelvisTurn], -40, 1e-12);
+}
+
+TEST(GolfScript, a_shorter_stroke_goes_a_part_of_its_way_in_the_same_time) {
+  const GolfScript whole = bundled_script("putt").value();
+  GolfScript half = whole;
+  half.lengthen(0.5);
+  const GolfPose address = whole.pose(whole.time_of("address"));
+  for (const char* instant : {"address", "mid_backswing", "top", "impact", "end"}) {
+    EXPECT_EQ(half.time_of(instant), whole.time_of(instant));
+    const GolfPose one = whole.pose(whole.time_of(instant)), other = half.pose(half.time_of(instant));
+    for (const GolfChannel channel :
+         {GolfChannel::HandsAngle, GolfChannel::ChestTurn, GolfChannel::ClubAngle})
+      EXPECT_NEAR(other[channel] - address[channel], 0.5 * (one[channel] - address[channel]), 1e-9)
+          << instant;
+    EXPECT_NEAR(other[GolfChannel::BallAim], one[GolfChannel::BallAim], 1e-12);
+  }
 }
 
 TEST(GolfScript, added_curves_add_up) {
