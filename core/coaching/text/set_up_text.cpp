@@ -62,13 +62,11 @@ const Aside& aside(Viewpoint side, bool is_positive) {
   static constexpr Aside kTooFarRight{"About {angle} off face-on: move the camera to your left",
                                       "The camera stood about {angle} off face-on: move it to your left."};
   static constexpr Aside kTooFarFront{
-      "About {angle} off down the line: move the camera away from the ball, to behind your feet",
-      "The camera stood about {angle} off down the line, on the side of the ball: move it to behind your "
-      "feet."};
+      "About {angle} off down the line: move the camera to the side of your heels",
+      "The camera stood about {angle} off down the line: move it to the side of your heels."};
   static constexpr Aside kTooFarBack{
-      "About {angle} off down the line: move the camera towards the side of the ball",
-      "The camera stood about {angle} off down the line, behind your back: move it towards the side of the "
-      "ball."};
+      "About {angle} off down the line: move the camera to the side of your toes",
+      "The camera stood about {angle} off down the line: move it to the side of your toes."};
   if (side == Viewpoint::DownTheLine) return is_positive ? kTooFarFront : kTooFarBack;
   return is_positive ? kTooFarLeft : kTooFarRight;
 }

@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <set>
 #include <string>
 
 #include "core/coaching/text/advice_text.h"
 #include "core/coaching/text/fill.h"
 #include "core/coaching/text/metric_text.h"
+#include "core/coaching/text/picture_text.h"
+#include "core/coaching/text/set_up_text.h"
 
 namespace posecoach {
 namespace {
@@ -91,6 +94,32 @@ TEST(Texts, units_stand_behind_numbers_as_people_write_them) {
   EXPECT_EQ("24" + text::unit("deg"), "24°");
   EXPECT_EQ("8" + text::unit("cm"), "8 cm");
   EXPECT_EQ("3" + text::unit(""), "3");
+}
+
+TEST(Texts, every_check_of_the_set_up_has_its_own_short_words) {
+  constexpr std::size_t kFitsBesideThePicture = 80;
+  std::set<std::string> all;
+  for (int k = 0; k <= static_cast<int>(text::SetUp::DistanceGood); ++k)
+    all.insert(text::set_up(static_cast<text::SetUp>(k)));
+  for (const Viewpoint side : {Viewpoint::FaceOn, Viewpoint::DownTheLine})
+    for (const double aside_deg : {-30.0, 30.0}) all.insert(text::camera_stands_aside(side, aside_deg));
+  EXPECT_EQ(all.size(), static_cast<std::size_t>(text::SetUp::DistanceGood) + 1 + 4);
+  for (const std::string& words : all) {
+    EXPECT_TRUE(std::isupper(static_cast<unsigned char>(words.front())) != 0) << words;
+    EXPECT_NE(words.back(), '.') << words;
+    EXPECT_LE(words.size(), kFitsBesideThePicture) << words;
+  }
+}
+
+TEST(Texts, a_joint_beside_the_pictures_is_told_by_the_way_it_is_off) {
+  EXPECT_EQ(text::picture_offset(HumanoidJoint::LeftElbow, 0.01, 0.08),
+            "In the pose of the coach's picture, your left elbow is 8 cm too high.");
+  EXPECT_EQ(text::picture_offset(HumanoidJoint::Head, -0.07, 0.01),
+            "In the pose of the coach's picture, your head is 7 cm too far to the left in the picture.");
+  EXPECT_EQ(
+      text::picture_offset(HumanoidJoint::RightWrist, 0.06, -0.08),
+      "In the pose of the coach's picture, your right wrist is 8 cm too low and 6 cm too far to the right in "
+      "the picture.");
 }
 
 }  // namespace

@@ -76,6 +76,25 @@ TEST(Lift, a_camera_beside_its_place_is_not_square) {
     }
 }
 
+TEST(CameraSide, tells_three_states_and_the_way_back) {
+  const auto from = [](double degrees) {
+    const double angle = radians_from_degrees(degrees);
+    return camera_side({0, 0, 2}, {3 * std::sin(angle), 1, 3 * std::cos(angle)});
+  };
+  for (const double side : {0.0, 90.0, -90.0})
+    for (const double off : {0.0, 8.0, -8.0, 25.0, -25.0}) {
+      const CameraSide seen = from(side + off);
+      EXPECT_EQ(seen.view, side == 0 ? View::FaceOn : View::DownTheLine) << side << " " << off;
+      EXPECT_EQ(seen.is_square(), std::abs(off) < kSquare_deg) << side << " " << off;
+      EXPECT_NEAR(seen.aside_deg, side > 0 ? -off : off, 1e-9) << side << " " << off;
+      EXPECT_EQ(judged_from(seen) == Viewpoint::Between, !seen.is_square());
+    }
+  for (const double nowhere : {45.0, -45.0, 180.0}) {
+    EXPECT_EQ(from(nowhere).view, View::Between);
+    EXPECT_FALSE(from(nowhere).is_square());
+  }
+}
+
 TEST(Lift, gravity_floor_and_place_are_found_for_level_and_tilted_cameras) {
   for (const double eye_height : {0.7, 1.2, 2.0}) {
     for (const Vec3& eye : {Vec3(0, eye_height, 3.6), Vec3(-3.6, eye_height, 0.3)}) {
