@@ -24,6 +24,7 @@ Result<void> run(const LiveArguments& arguments) {
   Result<std::unique_ptr<Interface>> interface = Interface::make(Interface::Drawing::OpenGl);
   if (!interface) return tl::unexpected(interface.error());
   window.connect();
+  window.appear();
   GlSceneViews views(is_drawn_by_software() ? kSoftwarePixels : kHardwarePixels);
   // Loading the pose networks takes a moment.
   {

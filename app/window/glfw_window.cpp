@@ -113,7 +113,6 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::open(const std::string& title, i
   set_icon(window);
   glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
   fit_to_desktop(window);
-  glfwShowWindow(window);
   return std::unique_ptr<GlfwWindow>(new GlfwWindow(window));
 }
 
@@ -207,6 +206,10 @@ void GlfwWindow::clear() {
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
   clear_window(width, height);
+}
+
+void GlfwWindow::appear() {
+  glfwShowWindow(window_);
 }
 
 void GlfwWindow::show() {

@@ -29,6 +29,8 @@ class GlfwWindow {
   bool was_touched() const { return was_touched_; }
   // Fills the window with black, before a frame is drawn.
   void clear();
+  // Nobody sees it before, so that it is never empty.
+  void appear();
   void show();
 
   bool wants_to_close() const;

@@ -1,6 +1,7 @@
 #include "app/window/picture_fetcher.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/base/log.h"
 
@@ -52,7 +53,13 @@ std::optional<ShownPicture> PictureFetcher::lookup(int wanted) {
     wanted_ = wanted;
     wanted_changed_.notify_one();
   }
-  if (pictures_.contains(wanted)) shown_ = wanted;
+  // Meanwhile the nearest: a film that is played faster than it is fetched still moves.
+  const auto after = pictures_.lower_bound(wanted);
+  if (after != pictures_.end()) shown_ = after->first;
+  if (after != pictures_.begin())
+    if (const int before = std::prev(after)->first;
+        after == pictures_.end() || wanted - before < after->first - wanted)
+      shown_ = before;
   const auto now = std::chrono::steady_clock::now();
   if (shown_ == wanted) had_wanted_at_ = now;
   const auto found = pictures_.find(shown_);

@@ -26,7 +26,7 @@ class PictureFetcher {
   explicit PictureFetcher(std::shared_ptr<PictureStore> store, Reading reading = Reading::AsWanted);
   ~PictureFetcher();
 
-  // Never waits. The wanted picture, or the last one that was shown, or nothing.
+  // Never waits. The wanted picture, or the nearest that is there, or nothing.
   std::optional<ShownPicture> lookup(int wanted);
 
  private:

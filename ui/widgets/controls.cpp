@@ -148,7 +148,11 @@ int draw_dropdown(Ui& ui, std::string_view id, const Rect& rect, std::string_vie
                                        [](const Choice& choice) { return !choice.detail.empty(); });
   const double row = has_details ? kRow : kPlainRow;
   const double height = std::min(row * static_cast<double>(choices.size()) + 12, 0.7 * ui.whole().height);
-  Rect list{rect.x, rect.bottom() + 4, std::max(rect.width, 200.0), height};
+  double wide = std::max(rect.width, 200.0);
+  for (const Choice& choice : choices)
+    wide = std::max({wide, ui.text_width(TextStyle::Strong, choice.title) + 58,
+                     ui.text_width(TextStyle::Caption, choice.detail) + 58});
+  Rect list{rect.x, rect.bottom() + 4, std::min(wide, std::max(rect.width, 420.0)), height};
   if (list.bottom() > ui.whole().height - 8) list.y = std::max(8.0, rect.y - height - 4);
   list.x = std::min(list.x, ui.whole().width - list.width - 8);
   int picked = -1;
