@@ -97,6 +97,11 @@ class Filming {
       film_.stroke_end_s.push_back(now_s());
       return;
     }
+    if (part.kind == Rehearse) {
+      const int turn = static_cast<int>(std::lround(part.seconds * script_.fps * script_.slower));
+      for (int f = 0; f <= 2 * turn; ++f) take(last = stroke_pose(turn - std::abs(turn - f)));
+      return;
+    }
     const Pose from = last;
     const int frames = static_cast<int>(std::lround(part.seconds * script_.fps));
     for (int f = 0; f < frames; ++f) {

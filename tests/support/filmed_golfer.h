@@ -27,10 +27,11 @@ inline constexpr PoseNoise kFilteredNoise{0.1, 0.0005, 0.0015};
 // A golfer on the webcam body, in the world.
 struct GolferPart {
   enum class Kind {
-    Stand,   // the pose of the stroke's start, without moving
-    Stroke,  // the bundled stroke, once
-    Waggle,  // hands a little to and fro, and back
-    Walk,    // about the place, arms swinging
+    Stand,     // the pose of the stroke's start, without moving
+    Stroke,    // the bundled stroke, once
+    Rehearse,  // the stroke's first seconds, there and back
+    Waggle,    // hands a little to and fro, and back
+    Walk,      // about the place, arms swinging
     TPose,
     Away  // nobody there
   };

@@ -178,6 +178,27 @@ TEST(SwingFinder, waggles_and_walking_about_are_not_swings) {
     }
 }
 
+TEST(SwingFinder, half_a_swing_back_and_to_the_ball_again_is_no_swing) {
+  for (const double turn_s : {1.1, 1.25, 1.4})
+    for (const bool is_face_on : {true, false})
+      for (const unsigned seed : {1U, 2U}) {
+        const GolferFilm film =
+            film_golfer({.parts = {{Stand, 2},
+                                   {Rehearse, turn_s},
+                                   {Stand, 0.5},
+                                   {Rehearse, turn_s},
+                                   {Stand, 0.5},
+                                   {Rehearse, turn_s},
+                                   {Stand, 3},
+                                   {Stroke},
+                                   {Stand, 1}}},
+                        is_face_on ? face_on_camera() : down_the_line_camera(false), kFilteredNoise, seed);
+        const Found found = find_swings(film);
+        ASSERT_EQ(found.swings.size(), 1U) << turn_s << is_face_on;
+        EXPECT_GT(to_seconds(found.swings[0].begin), film.stroke_begin_s[0]) << turn_s << is_face_on;
+      }
+}
+
 TEST(SwingFinder, a_waggle_right_before_the_stroke_does_not_hide_it) {
   for (const double waggle_s : {0.9, 1.3, 1.7, 2.1}) {
     const GolferFilm film = film_golfer({.parts = {{Stand, 2}, {Waggle, waggle_s}, {Stroke}, {Stand, 1}}},
