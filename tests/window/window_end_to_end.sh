@@ -124,7 +124,8 @@ wait_for 120 "opened swing" is_review
 shot 08_opened
 press 1; press Right; press Right; press period; shot 09_stepped
 press d; press e; press ctrl+plus; shot 10_from_the_side
-press ctrl+0; press space; sleep 1; press space
+press ctrl+0; press x; press x; sleep 1; shot 10_film_alone
+press x; press z; press space; sleep 1; press space
 
 # A position put in its place by hand is stored beside the film and analysed anew; taken back, it is as found.
 press 4; press ctrl+shift+Right
@@ -155,6 +156,10 @@ press h; sleep 1; shot 15_armed
 wait_for 240 "kept swing" has_swings 2
 sleep 1; shot 16_answer
 press Return; sleep 3; shot 17_review
+# Beside the imported one, which is the last in the library.
+press F8; press Right; press Right
+xdotool key Return; sleep 6; shot 17_side_by_side
+press F9; sleep 1; shot 17_in_one
 press ctrl+1; press Escape; press h
 
 # Another coach: below the rail, the camera and the person.
