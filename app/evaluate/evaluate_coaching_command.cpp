@@ -1,6 +1,7 @@
 #include "app/evaluate/evaluate_coaching_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +15,7 @@ namespace posecoach {
 namespace {
 
 struct Arguments {
-  std::string through = "joints", poses, json;
+  std::string through = "joints", filmed_coach, poses, json;
   std::vector<std::string> bodies, faults;
   std::vector<double> frame_rates = {30}, parts = {0.75, 1, 1.5}, camera_turns = {0};
   bool lists_cases = false;
@@ -38,6 +39,17 @@ Result<StudentInput> see_film(const BenchCase& one, FilmedStudents& films) {
   const Result<LiftedStudent> lifted = lift(*track);
   if (!lifted) return tl::unexpected(lifted.error());
   return student_from_film(name_of(one), *track, *lifted);
+}
+
+// The faultless stroke of another golfer, filmed as the student is.
+Result<Motion> filmed_coach(BenchCase one, const BenchBody& coach, FilmedStudents& films) {
+  one.fault = nullptr;
+  one.amount = 0;
+  one.hand = Handedness::Right;
+  one.body = coach;
+  Result<StudentInput> seen = see_film(one, films);
+  if (!seen) return fail(seen.error().code, "the coach: " + seen.error().message);
+  return std::move(seen->motion);
 }
 
 std::string percent(int part, int whole) {
@@ -136,8 +148,17 @@ Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   const auto see = [&films](const BenchCase& one) {
     return one.eye == BenchEye::TrueJoints ? see_true_joints(one) : see_film(one, *films);
   };
+  const std::vector<BenchBody> bodies = bench_bodies();
+  const auto coach = std::find_if(bodies.begin(), bodies.end(),
+                                  [&](const BenchBody& body) { return body.name == arguments.filmed_coach; });
+  if (!arguments.filmed_coach.empty() && coach == bodies.end())
+    return fail(ErrorCode::InvalidArgument, "there is no body \"" + arguments.filmed_coach + "\"");
+  const auto coach_of = [&](const BenchCase& one) {
+    return one.eye == BenchEye::TrueJoints || coach == bodies.end() ? bundled_coach(one)
+                                                                    : filmed_coach(one, *coach, *films);
+  };
   ProgressBar bar;
-  const auto answers = run_fault_bench(*cases, see, bar.progress());
+  const auto answers = run_fault_bench(*cases, see, coach_of, bar.progress());
   if (!answers) return tl::unexpected(answers.error());
   const std::vector<BenchRow> rows = tally(*answers);
   if (arguments.json != "-") {
@@ -165,6 +186,11 @@ void add_evaluate_coaching_command(CLI::App& evaluate, Action& action) {
   command->add_option("--faults", arguments->faults, "Only these faults (default: all)")
       ->delimiter(',')
       ->type_name("NAME,...");
+  command
+      ->add_option(
+          "--filmed-coach", arguments->filmed_coach,
+          "Of films: the coach is not the bundled motion but a film of this body, from the same side")
+      ->type_name("NAME");
   command
       ->add_option("--turned", arguments->camera_turns,
                    "How many degrees the camera stands beside its place, for films")

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 
 #include "core/base/assert.h"
@@ -74,7 +73,7 @@ Result<StudentInput> see_true_joints(const BenchCase& one) {
 
 Result<BenchAnswer> judge(const BenchCase& one, const StudentInput& student, const Motion& coach) {
   BenchAnswer answer{one, {}, 0, {}, 0, 0, 0};
-  const Result<AnalyzedPair> pair = analyze(student, {"bundled:" + one.motion, coach});
+  const Result<AnalyzedPair> pair = analyze(student, {"the coach of " + name_of(one), coach});
   if (!pair) {
     answer.refusal = pair.error().message;
     return answer;
@@ -189,14 +188,14 @@ std::vector<BenchAgreement> agreement_of_frame_rates(const std::vector<BenchAnsw
   return rows;
 }
 
+Result<Motion> bundled_coach(const BenchCase& one) {
+  return bundled_motion(one.motion);
+}
+
 Result<std::vector<BenchAnswer>> run_fault_bench(const std::vector<BenchCase>& cases,
-                                                 const BenchEyeFunction& see, const Progress& progress) {
-  std::map<std::string, Motion> coaches;
-  for (const char* motion : {"swing", "putt"}) {
-    Result<Motion> coach = bundled_motion(motion);
-    if (!coach) return tl::unexpected(coach.error());
-    coaches.emplace(motion, *std::move(coach));
-  }
+                                                 const BenchEyeFunction& see,
+                                                 const BenchCoachFunction& coach_of,
+                                                 const Progress& progress) {
   std::vector<BenchAnswer> answers;
   for (const BenchCase& one : cases) {
     if (!report(progress, "judging " + name_of(one),
@@ -210,7 +209,9 @@ Result<std::vector<BenchAnswer>> run_fault_bench(const std::vector<BenchCase>& c
       answers.push_back({one, student.error().message, 0, {}, 0, 0, 0});
       continue;
     }
-    Result<BenchAnswer> answer = judge(one, *student, coaches.at(one.motion));
+    const Result<Motion> coach = coach_of(one);
+    if (!coach) return tl::unexpected(coach.error());
+    Result<BenchAnswer> answer = judge(one, *student, *coach);
     if (!answer) return tl::unexpected(answer.error());
     answers.push_back(*std::move(answer));
   }

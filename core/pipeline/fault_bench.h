@@ -69,7 +69,7 @@ struct BenchAnswer {
   bool is_amount_right() const;  // within a quarter
 };
 
-// The coach is the bundled stroke on its own body. `student` is what an eye saw of the case.
+// `student` is what an eye saw of the case.
 Result<BenchAnswer> judge(const BenchCase& one, const StudentInput& student, const Motion& coach);
 
 // One line of the table.
@@ -96,10 +96,17 @@ struct BenchAgreement {
 };
 std::vector<BenchAgreement> agreement_of_frame_rates(const std::vector<BenchAnswer>& answers);
 
-// `see` is the eye. Errors: those of `see`, and Cancelled; a stroke that cannot be analysed is an answer.
+// `see` is the eye; `coach_of` the coach of a case. Errors: those of both, and Cancelled; a stroke that
+// cannot be analysed is an answer.
 using BenchEyeFunction = std::function<Result<StudentInput>(const BenchCase&)>;
+using BenchCoachFunction = std::function<Result<Motion>(const BenchCase&)>;
 Result<std::vector<BenchAnswer>> run_fault_bench(const std::vector<BenchCase>& cases,
-                                                 const BenchEyeFunction& see, const Progress& progress = {});
+                                                 const BenchEyeFunction& see,
+                                                 const BenchCoachFunction& coach_of,
+                                                 const Progress& progress = {});
+
+// The bundled stroke on its own body.
+Result<Motion> bundled_coach(const BenchCase& one);
 
 // The eye of motion capture.
 Result<StudentInput> see_true_joints(const BenchCase& one);

@@ -17,7 +17,7 @@ namespace {
 std::vector<BenchAnswer> answers_for(const BenchPlan& plan) {
   const auto cases = make_bench_cases(plan);
   EXPECT_TRUE(cases) << (cases ? "" : cases.error().message);
-  const auto answers = run_fault_bench(*cases, see_true_joints);
+  const auto answers = run_fault_bench(*cases, see_true_joints, bundled_coach);
   EXPECT_TRUE(answers) << (answers ? "" : answers.error().message);
   return *answers;
 }
@@ -113,7 +113,7 @@ TEST(FaultBench, a_film_of_30_frames_a_second_is_told_what_one_of_120_is) {
           std::string_view(name) == "early_extension" ? BenchEye::DownTheLine : BenchEye::FaceOn;
       cases.push_back({"swing", fault, fault->default_amount, {}, Handedness::Right, rate, eye});
     }
-  const auto answers = run_fault_bench(cases, see_through_camera);
+  const auto answers = run_fault_bench(cases, see_through_camera, bundled_coach);
   ASSERT_TRUE(answers) << answers.error().message;
   for (std::size_t k = 0; k + 1 < answers->size(); k += 2) {
     const BenchAnswer& slow = (*answers)[k];
