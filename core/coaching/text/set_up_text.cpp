@@ -32,9 +32,7 @@ constexpr std::array<std::string_view, 28> kSetUp = {
     "Face-on",
     "Down the line",
     "Film putts face-on: put the camera in front of you",
-    "Film putts face-on: from here only a long putt is seen, and only its tempo can be told. Put the camera "
-    "in "
-    "front of you.",
+    "Film putts face-on: from here only the tempo of a long putt can be told",
     "The camera sees you at an angle: put it in front of you, or on the target line",
     "Too far away: come closer",
     "Rather far away: come closer",

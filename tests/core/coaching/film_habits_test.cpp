@@ -110,11 +110,11 @@ TEST(FilmHabits, leave_events_alone_that_were_seen_from_all_sides) {
 }
 
 TEST(FilmHabits, move_events_by_little_and_keep_them_in_order) {
-  Film film = film_of(0);
+  const Film film = film_of(0);
   for (const Viewpoint view : {Viewpoint::FaceOn, Viewpoint::DownTheLine, Viewpoint::Between}) {
-    film.alignment.sight.direction = view == Viewpoint::DownTheLine ? Vec3(1, 0, 0) : Vec3(0, 0, -1);
+    const Sight sight{view == Viewpoint::DownTheLine ? Vec3(1, 0, 0) : Vec3(0, 0, -1)};
     const SwingEvents right =
-        events_put_right(film.student_events, film.student, view, {}, 1, film.answered_top_s());
+        events_put_right(film.student_events, film.student, view, sight, 1, film.answered_top_s());
     EXPECT_GE(right.takeaway_s, 0);
     for (std::size_t k = 0; k < right.events.size(); ++k) {
       EXPECT_NEAR(right.events[k].time_s, film.student_events.events[k].time_s, 0.1) << right.events[k].name;
