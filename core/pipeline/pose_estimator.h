@@ -14,8 +14,8 @@ class PoseEstimator {
  public:
   virtual ~PoseEstimator() = default;
   virtual Result<PoseObservation> estimate(const Frame& frame) = 0;
-  // The person of the last estimate() as the networks saw him, where that was smoothed: smoothing shows a slow
-  // movement late, and pictures are judged as they are. Nothing from a stage that does not smooth.
+  // The person of the last estimate() as the networks saw him, where that was smoothed: smoothing shows a
+  // slow movement late, and pictures are judged as they are. Nothing from a stage that does not smooth.
   virtual std::optional<SeenPerson> unsmoothed() const { return std::nullopt; }
   // How many people are in the picture; nothing from a stage that cannot tell. Takes about as long as
   // estimate(), and does not change what that answers.
