@@ -23,7 +23,8 @@ void use_common_keys(const PanelContext& context) {
 }
 
 void draw_screen(const PanelContext& context, const Rect& area) {
-  const IdScope scope(context.ui, "screen");
+  // Each has its own: what Tab ringed on one is not ringed on another.
+  const IdScope scope(context.ui, "screen " + std::to_string(static_cast<int>(context.state.screen)));
   switch (context.state.screen) {
     case ScreenName::Live:
       return draw_live_screen(context, area);

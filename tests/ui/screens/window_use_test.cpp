@@ -194,6 +194,19 @@ TEST_F(WindowUse, enter_belongs_to_the_ringed_place) {
   EXPECT_FALSE(last<intent::OpenLastSwing>());
 }
 
+TEST_F(WindowUse, what_was_ringed_on_one_screen_is_not_ringed_on_another) {
+  frame();
+  press_all({"Tab", "Tab", "Tab", "Tab", "Tab",
+             "Tab"});  // the export list, behind the rail; the library has one too
+  frame();
+  press("F8");
+  frame();
+  press("Enter");
+  EXPECT_EQ(state().screen, ScreenName::Library);
+  ASSERT_TRUE(last<intent::CompareWith>());
+  EXPECT_EQ(last<intent::CompareWith>()->id, "s14");
+}
+
 TEST_F(WindowUse, arrows_walk_where_no_command_wants_them) {
   state().screen = ScreenName::SetUp;
   frame();
