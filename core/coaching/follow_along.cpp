@@ -24,6 +24,9 @@ constexpr double kAddressSteadied_s = 1.0;
 // Mean distance a joint from his own address at which he has left it, however slowly; who then stands still
 // for so long has a new one.
 constexpr double kLeftAddress_m = 0.01, kNewAddress_s = 1.2;
+// Who stands still this much nearer to address than to where the coach is, far apart, has stepped up again:
+// to a new swing, or as his body is measured anew.
+constexpr double kSteppedUpAgain = 0.5, kFarFromCoach_m = 0.08;
 constexpr double kTurnWorthLooking = radians_from_degrees(1);
 
 std::vector<HumanoidJoint> compared_joints(const JointTrack& coach) {
@@ -138,13 +141,15 @@ bool FollowAlong::is_at_address(const JointMoment& student, double yaw, const Si
   const PoseSequence pose = pose_of(student, habit_);
   const double from_address = warp_.distance_m(pose, 0);
   // Standing still elsewhere in the stroke is waiting, not a new beginning.
-  if (from_address > warp_.distance_m(pose, warp_.position()) + kLeftAddress_m) return false;
+  const double from_coach = warp_.distance_m(pose, warp_.position());
+  if (from_address > from_coach + kLeftAddress_m) return false;
   if (!is_following_ || from_address < kLeftAddress_m) {
     away_s_ = 0;
     return true;
   }
   away_s_ += seconds;
-  if (away_s_ < kNewAddress_s) return false;
+  const bool has_stepped_up = from_coach > kFarFromCoach_m && from_address < kSteppedUpAgain * from_coach;
+  if (away_s_ < kNewAddress_s && !has_stepped_up) return false;
   start_over();
   return true;
 }

@@ -182,12 +182,15 @@ struct Following {
   FollowAlong follow{track, {own.begin_s, own.end_s}};
   double clock_s = 0;
   double coach_s = 0;
+  double size = 1;  // as he is measured
 
   // `seconds` at 30 fps, the body at a time of the stroke.
   void play(double seconds, const std::function<double(double)>& stroke_time) {
     for (double t = 0; t < seconds; t += 1 / 30.0) {
       clock_s += 1 / 30.0;
-      coach_s = follow.step(media_time_from_seconds(clock_s), moment_of(track, stroke_time(t)), 0, {});
+      JointMoment moment = moment_of(track, stroke_time(t));
+      for (Vec3& position : moment.positions) position *= size;
+      coach_s = follow.step(media_time_from_seconds(clock_s), moment, 0, {});
     }
   }
   void stand(double seconds) {
@@ -211,6 +214,19 @@ TEST(FollowAlong, starts_over_when_the_student_is_back_at_address) {
   EXPECT_GT(f.coach_s, f.own.end_s - 0.3);
   f.stand(1.5);
   EXPECT_NEAR(f.coach_s, f.own.begin_s, 0.02);
+}
+
+TEST(FollowAlong, starts_over_though_the_student_stands_briefly_and_is_measured_anew) {
+  Following f;
+  f.stand(1);
+  const double length = f.own.end_s - f.own.begin_s;
+  f.play(length, [&](double t) { return f.own.begin_s + t; });
+  f.play(1, [&](double) { return f.own.end_s; });
+  f.size = 1.05;
+  f.stand(0.6);
+  EXPECT_NEAR(f.coach_s, f.own.begin_s, 0.02);
+  f.play(0.5 * length, [&](double t) { return f.own.begin_s + t; });
+  EXPECT_NEAR(f.coach_s, f.own.begin_s + 0.5 * length, 0.15);
 }
 
 TEST(FollowAlong, a_pause_at_the_top_is_no_new_beginning) {
