@@ -167,9 +167,10 @@ Result<AnalyzedPair> analyze(const StudentInput& student, const CoachInput& coac
   // Everything up to the drawing happens right-handed, so that a mirrored pair gives the same numbers.
   const Handedness hand = options.hand.value_or(hand_of(student.motion, student.sight));
   const bool is_left = hand == Handedness::Left;
+  // A camera in front and one on the target line stand the same in the mirror.
+  const Seen seen = seen_from(coach.motion);
   const Motion right_coach =
-      hand_of(coach.motion) == Handedness::Left ? mirrored(coach.motion) : coach.motion;
-  const Seen seen = seen_from(right_coach);
+      hand_of(coach.motion, seen.sight) == Handedness::Left ? mirrored(coach.motion) : coach.motion;
   const Result<RetargetResult> personal =
       in_body(right_coach, is_left ? mirrored(student.body) : student.body, options.retarget);
   if (!personal) return fail(personal.error().code, coach.source + ": " + personal.error().message);

@@ -189,6 +189,9 @@ TEST(Analyze, does_not_tell_a_golfer_what_the_camera_got_wrong_of_him_and_of_his
   const Analysis against_film = analyze(student, {"coach's film", coach.motion}).value().analysis;
   EXPECT_EQ(against_film.advice[0].kind, AdviceKind::None) << against_film.advice[0].text;
   EXPECT_GT(against_film.score.percent, 97);
+  const Analysis against_left_hander =
+      analyze(student, {"a left-hander's film", mirrored(coach.motion)}).value().analysis;
+  EXPECT_NEAR(against_left_hander.score.percent, against_film.score.percent, 1e-6);
   // The errors are there.
   const Analysis against_truth =
       analyze(student, {"coach", resample(*bundled_motion("swing"), 30)}).value().analysis;
