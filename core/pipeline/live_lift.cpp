@@ -226,7 +226,12 @@ CameraSide LiveLift::side_of(const LiveStudent& student) {
                       at(Landmark::RightShoulder);
   const Vec3 front = glm::cross(across, Vec3(0, 1, 0));
   const bool is_still = !moving_since_ || *moving_since_ < recent_.back().time;
-  if (glm::length(front) > 1e-9 && (is_still || facing_ == Vec3(0)))
+  // Who holds his finish stands still, too, and faces the target.
+  const double hands = at(Landmark::LeftWrist).y + at(Landmark::RightWrist).y;
+  const double shoulders = at(Landmark::LeftShoulder).y + at(Landmark::RightShoulder).y;
+  const double hips = at(Landmark::LeftHip).y + at(Landmark::RightHip).y;
+  const bool is_at_address = is_still && hands < 0.5 * (shoulders + hips);
+  if (glm::length(front) > 1e-9 && (is_at_address || facing_ == Vec3(0)))
     facing_ += kFacingWeight * (glm::normalize(front) - facing_);
   return camera_side(facing_, student.camera.position() - student.positions[0]);
 }

@@ -127,6 +127,8 @@ class Filming {
       }
       case GolferPart::Kind::Walk:
         return walked(body, t);
+      case GolferPart::Kind::Finish:
+        return stroke_pose(stroke_.frame_count() - 1);
       case GolferPart::Kind::TPose:
         return {body.rest_positions().begin(), body.rest_positions().end()};
       default:

@@ -29,6 +29,7 @@ struct GolferPart {
   enum class Kind {
     Stand,     // the pose of the stroke's start, without moving
     Stroke,    // the bundled stroke, once
+    Finish,    // the pose of the stroke's end, without moving
     Rehearse,  // the stroke's first seconds, there and back
     Waggle,    // hands a little to and fro, and back
     Walk,      // about the place, arms swinging

@@ -121,6 +121,16 @@ TEST(CoachPipeline, measuring_nobody_fails_with_what_to_do) {
   EXPECT_NE(last->words.find("try again"), std::string::npos);
 }
 
+TEST(CoachPipeline, a_finish_that_is_held_does_not_turn_the_camera_aside) {
+  Live live(film_golfer({.parts = {{Stand, 2}, {Stroke}, {Finish, 4}}}, face_on_camera()));
+  const SetUpCheck* last = nullptr;
+  const std::vector<CoachSnapshot> snapshots = live.play();
+  for (const SetUpCheck& check : snapshots.back().checks)
+    if (check.topic == SetUpTopic::View) last = &check;
+  ASSERT_NE(last, nullptr);
+  EXPECT_EQ(last->level, SetUpLevel::Good) << last->words;
+}
+
 TEST(CoachPipeline, the_same_frames_give_the_same_snapshots) {
   const GolferFilm film = film_golfer({.parts = {{Stand, 2}, {Stroke}}}, face_on_camera(), kWebcamNoise);
   const auto last_of = [&] {
