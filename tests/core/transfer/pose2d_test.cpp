@@ -7,6 +7,7 @@
 
 #include "core/transfer/pose2d_sources.h"
 #include "tests/core/transfer/test_people.h"
+#include "tests/support/temporary_folder.h"
 
 namespace posecoach {
 namespace {
@@ -93,9 +94,9 @@ TEST(Pose2dSources, landmarks_below_one_half_are_not_seen) {
 
 class ClipFile : public testing::Test {
  protected:
-  ClipFile() : path_(std::filesystem::path(testing::TempDir()) / "clips_for_transfer.json") {}
   void write(const std::string& text) { std::ofstream(path_) << text; }
-  std::filesystem::path path_;
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "clips_for_transfer.json";
 };
 
 TEST_F(ClipFile, gives_its_clips_by_number) {

@@ -10,6 +10,7 @@
 #include "core/transfer/trained.h"
 #include "core/transfer/training.h"
 #include "tests/core/transfer/test_people.h"
+#include "tests/support/temporary_folder.h"
 
 namespace posecoach {
 namespace {
@@ -162,17 +163,9 @@ TEST(TransferWeights, that_are_no_weights_or_of_another_network_are_refused) {
 
 class Training : public testing::TestWithParam<TransferMethod> {
  protected:
-  Training()
-      : folder_(std::filesystem::path(testing::TempDir()) /
-                ("transfer_" + std::string(to_string(GetParam())))) {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~Training() override { std::filesystem::remove_all(folder_); }
-
   TransferTrainingOptions options(long iterations) const {
     TransferTrainingOptions options;
-    options.weights = folder_ / "weights.pt";
+    options.weights = folder_.path() / "weights.pt";
     options.minutes = 10;
     options.iterations = iterations;
     return options;
@@ -181,7 +174,7 @@ class Training : public testing::TestWithParam<TransferMethod> {
     return GetParam() == TransferMethod::Paper ? train_paper_transfer(waving_clips(8), options, {})
                                                : train_network_transfer(waving_clips(8), options);
   }
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_P(Training, writes_weights_a_log_and_curves_and_goes_on_where_it_was) {
@@ -194,11 +187,11 @@ TEST_P(Training, writes_weights_a_log_and_curves_and_goes_on_where_it_was) {
   ASSERT_TRUE(second.has_value()) << second.error().message;
   EXPECT_EQ(second->iterations, 5);
   EXPECT_GE(second->best_score, first->best_score);
-  const auto log = read_file(folder_ / "weights.csv");
+  const auto log = read_file(folder_.path() / "weights.csv");
   ASSERT_TRUE(log.has_value());
   EXPECT_EQ(std::count(log->begin(), log->end(), '\n'), 3);
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "weights.png"));
-  const auto weights = read_file(folder_ / "weights.pt");
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "weights.png"));
+  const auto weights = read_file(folder_.path() / "weights.pt");
   ASSERT_TRUE(weights.has_value());
   EXPECT_TRUE(load_transferer(GetParam(), *weights, "weights.pt").has_value());
 }
@@ -210,11 +203,11 @@ TEST_P(Training, stops_when_told_and_keeps_what_it_has) {
   const auto summary = train(stopped);
   ASSERT_TRUE(summary.has_value()) << summary.error().message;
   EXPECT_TRUE(summary->stopped);
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "weights.checkpoint"));
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "weights.checkpoint"));
 }
 
 TEST_P(Training, refuses_a_checkpoint_that_is_none) {
-  ASSERT_TRUE(write_file_atomically(folder_ / "weights.checkpoint", "nonsense").has_value());
+  ASSERT_TRUE(write_file_atomically(folder_.path() / "weights.checkpoint", "nonsense").has_value());
   TransferTrainingOptions resumed = options(5);
   resumed.resume = true;
   const auto summary = train(resumed);
