@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/body/body_measurement.h"
+#include "core/pipeline/ghost_driver.h"
 #include "core/pipeline/placing.h"
 #include "core/pipeline/stance.h"
 
@@ -227,10 +228,7 @@ CameraSide LiveLift::side_of(const LiveStudent& student) {
   const Vec3 front = glm::cross(across, Vec3(0, 1, 0));
   const bool is_still = !moving_since_ || *moving_since_ < recent_.back().time;
   // Who holds his finish stands still, too, and faces the target.
-  const double hands = at(Landmark::LeftWrist).y + at(Landmark::RightWrist).y;
-  const double shoulders = at(Landmark::LeftShoulder).y + at(Landmark::RightShoulder).y;
-  const double hips = at(Landmark::LeftHip).y + at(Landmark::RightHip).y;
-  const bool is_at_address = is_still && hands < 0.5 * (shoulders + hips);
+  const bool is_at_address = is_still && has_hands_down(joint_moment(student.positions, student.confidence));
   if (glm::length(front) > 1e-9 && (is_at_address || facing_ == Vec3(0)))
     facing_ += kFacingWeight * (glm::normalize(front) - facing_);
   return camera_side(facing_, student.camera.position() - student.positions[0]);
