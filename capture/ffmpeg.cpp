@@ -2,6 +2,7 @@
 
 extern "C" {
 #include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
 #include <libavutil/error.h>
 #include <libavutil/log.h>
 #include <libswscale/swscale.h>
@@ -31,6 +32,9 @@ void FfmpegFree::operator()(AVPacket* packet) const {
 }
 void FfmpegFree::operator()(SwsContext* context) const {
   sws_freeContext(context);
+}
+void FfmpegCloseInput::operator()(AVFormatContext* input) const {
+  avformat_close_input(&input);
 }
 
 }  // namespace posecoach

@@ -28,4 +28,14 @@ struct FfmpegFree {
 template <typename Object>
 using FfmpegPointer = std::unique_ptr<Object, FfmpegFree>;
 
+struct FfmpegCloseInput {
+  void operator()(AVFormatContext* input) const;
+};
+using FfmpegInput = std::unique_ptr<AVFormatContext, FfmpegCloseInput>;
+
+// Encoders that halve the colours' resolution want even sizes.
+constexpr int even(int size) {
+  return size + size % 2;
+}
+
 }  // namespace posecoach

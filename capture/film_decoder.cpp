@@ -17,20 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct FreeFormat {
-  void operator()(AVFormatContext* format) const { avformat_close_input(&format); }
-};
-struct FreeCodec {
-  void operator()(AVCodecContext* codec) const { avcodec_free_context(&codec); }
-};
-struct FreeFrame {
-  void operator()(AVFrame* frame) const { av_frame_free(&frame); }
-};
-struct FreePacket {
-  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-};
-using Format = std::unique_ptr<AVFormatContext, FreeFormat>;
-using Codec = std::unique_ptr<AVCodecContext, FreeCodec>;
+using Codec = FfmpegPointer<AVCodecContext>;
 
 constexpr AVRational kNanoseconds = {1, 1'000'000'000};
 // Pictures above 8K would not fit the memory that we promise to keep to.
@@ -61,7 +48,7 @@ bool begins_like_mp4(const fs::path& path) {
   return file && std::string_view(head + 4, 4) == "ftyp";
 }
 
-Result<Format> open_format(const fs::path& path) {
+Result<FfmpegInput> open_format(const fs::path& path) {
   const auto no_film = [&](int error) {
     if (error == AVERROR(EACCES))
       return fail(ErrorCode::Unreadable, path.string() + " cannot be opened: " + ffmpeg_reason(error));
@@ -79,7 +66,7 @@ Result<Format> open_format(const fs::path& path) {
   const int result = avformat_open_input(&opened, ("file:" + path.string()).c_str(), nullptr, &options);
   av_dict_free(&options);
   if (result < 0) return no_film(result);
-  Format format(opened);
+  FfmpegInput format(opened);
   if (const int found = avformat_find_stream_info(format.get(), nullptr); found < 0) return no_film(found);
   return format;
 }
@@ -172,7 +159,7 @@ std::optional<Duration> claimed_length(const AVFormatContext& format, const AVSt
 
 class FilmDecoder::Implementation {
  public:
-  Implementation(Format format, Codec codec, const AVStream& stream)
+  Implementation(FfmpegInput format, Codec codec, const AVStream& stream)
       : format_(std::move(format)),
         codec_(std::move(codec)),
         stream_(stream),
@@ -251,11 +238,11 @@ class FilmDecoder::Implementation {
     return time;
   }
 
-  Format format_;
+  FfmpegInput format_;
   Codec codec_;
   const AVStream& stream_;
-  std::unique_ptr<AVFrame, FreeFrame> frame_;
-  std::unique_ptr<AVPacket, FreePacket> packet_;
+  FfmpegPointer<AVFrame> frame_;
+  FfmpegPointer<AVPacket> packet_;
   FilmFacts facts_;
   std::optional<Duration> start_;
   std::optional<Duration> claimed_length_;

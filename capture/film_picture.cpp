@@ -37,10 +37,6 @@ int square_width(const AVFrame& frame) {
 
 }  // namespace
 
-void FilmPictureMaker::FreeContext::operator()(SwsContext* context) const {
-  sws_freeContext(context);
-}
-
 Result<Image> FilmPictureMaker::make(const AVFrame& frame) {
   if (width_ == 0) {
     width_ = square_width(frame);

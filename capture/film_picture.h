@@ -1,13 +1,9 @@
 // From a decoded film frame of any pixel format to an upright RGB picture with square pixels.
 #pragma once
 
-#include <memory>
-
+#include "capture/ffmpeg.h"
 #include "capture/orientation.h"
 #include "core/base/error.h"
-
-struct AVFrame;
-struct SwsContext;
 
 namespace posecoach {
 
@@ -19,14 +15,10 @@ class FilmPictureMaker {
   Result<Image> make(const AVFrame& frame);
 
  private:
-  struct FreeContext {
-    void operator()(SwsContext* context) const;
-  };
-
   Orientation orientation_;
   int width_ = 0;  // before it is turned upright
   int height_ = 0;
-  std::unique_ptr<SwsContext, FreeContext> context_;
+  FfmpegPointer<SwsContext> context_;
   std::vector<std::uint8_t> rows_;
 };
 

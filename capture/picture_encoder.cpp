@@ -115,10 +115,6 @@ class H264Pictures : public PictureEncoder {
   std::int64_t next_ = 0;
 };
 
-int even(int size) {
-  return size + size % 2;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<PictureEncoder>> make_picture_encoder(FilmCodec codec, int width, int height,

@@ -12,23 +12,13 @@ extern "C" {
 #include "core/base/log.h"
 
 namespace posecoach {
-namespace {
-
-struct CloseInput {
-  void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
-};
-struct FreePacket {
-  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-};
-
-}  // namespace
 
 class SoundTrack::Implementation {
  public:
-  std::unique_ptr<AVFormatContext, CloseInput> input;
+  FfmpegInput input;
   int input_stream = -1, output_stream = -1;
   double start_s = 0;  // of the old film: the earliest of its streams
-  std::unique_ptr<AVPacket, FreePacket> packet{av_packet_alloc()};
+  FfmpegPointer<AVPacket> packet{av_packet_alloc()};
   bool has_packet = false, at_end = false;
   std::int64_t last_dts = AV_NOPTS_VALUE;
 

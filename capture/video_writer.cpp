@@ -27,23 +27,11 @@ namespace {
 // Fine enough for any camera, coarse enough for every player.
 constexpr AVRational kTimeBase = {1, 90000};
 
-struct FreeFormat {
+struct FreeMuxer {
   void operator()(AVFormatContext* context) const {
     if (context->pb != nullptr) avio_closep(&context->pb);
     avformat_free_context(context);
   }
-};
-struct FreeCodec {
-  void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
-};
-struct FreeFrame {
-  void operator()(AVFrame* frame) const { av_frame_free(&frame); }
-};
-struct FreePacket {
-  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-};
-struct FreeScaler {
-  void operator()(SwsContext* context) const { sws_freeContext(context); }
 };
 
 Error write_error(const fs::path& path, int reason) {
@@ -51,10 +39,6 @@ Error write_error(const fs::path& path, int reason) {
                          : reason == AVERROR(ENOMEM) || reason == AVERROR(EINVAL) ? ErrorCode::Internal
                                                                                   : ErrorCode::Unreadable;
   return {code, "cannot write " + path.string() + ": " + ffmpeg_reason(reason)};
-}
-
-int even(int size) {
-  return size + size % 2;
 }
 
 }  // namespace
@@ -231,13 +215,13 @@ class VideoWriter::Implementation {
 
   fs::path path_, temporary_;
   VideoWriterOptions options_;
-  std::unique_ptr<AVCodecContext, FreeCodec> encoder_;
-  std::unique_ptr<AVFormatContext, FreeFormat> format_;
+  FfmpegPointer<AVCodecContext> encoder_;
+  std::unique_ptr<AVFormatContext, FreeMuxer> format_;
   AVStream* stream_ = nullptr;  // of format_
   std::unique_ptr<SoundTrack> sound_;
-  std::unique_ptr<SwsContext, FreeScaler> scaler_;
-  std::unique_ptr<AVFrame, FreeFrame> frame_;
-  std::unique_ptr<AVPacket, FreePacket> packet_;
+  FfmpegPointer<SwsContext> scaler_;
+  FfmpegPointer<AVFrame> frame_;
+  FfmpegPointer<AVPacket> packet_;
   std::vector<std::uint8_t> padded_;
   std::optional<MediaTime> first_;
   std::int64_t last_ticks_ = -1, previous_step_ = 0;

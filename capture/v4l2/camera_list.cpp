@@ -12,14 +12,14 @@ namespace posecoach {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kPrefix = "video";
+constexpr std::string_view kNodePrefix = "video";
 
 std::optional<int> number_of(const fs::path& node) {
   const std::string name = node.filename().string();
-  if (!name.starts_with(kPrefix)) return std::nullopt;
+  if (!name.starts_with(kNodePrefix)) return std::nullopt;
   int number = 0;
   const char* const end = name.data() + name.size();
-  const auto [rest, failed] = std::from_chars(name.data() + kPrefix.size(), end, number);
+  const auto [rest, failed] = std::from_chars(name.data() + kNodePrefix.size(), end, number);
   return failed == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
 }
 

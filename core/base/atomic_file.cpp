@@ -5,8 +5,9 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <utility>
+
+#include "core/base/system_error.h"
 
 namespace posecoach {
 namespace fs = std::filesystem;
@@ -14,12 +15,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
-
-Error system_error(const char* verb, const fs::path& path) {
-  const int reason = errno;
-  const ErrorCode code = reason == ENOENT ? ErrorCode::NotFound : ErrorCode::Unreadable;
-  return Error{code, std::string(verb) + " " + path.string() + ": " + std::strerror(reason)};
-}
 
 Result<void> write_all(int descriptor, std::string_view bytes, const fs::path& path) {
   while (!bytes.empty()) {

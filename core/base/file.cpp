@@ -1,23 +1,12 @@
 #include "core/base/file.h"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 #include "core/base/atomic_file.h"
+#include "core/base/system_error.h"
 
 namespace posecoach {
 namespace fs = std::filesystem;
-
-namespace {
-
-Error system_error(const char* verb, const fs::path& path) {
-  const int reason = errno;
-  const ErrorCode code = reason == ENOENT ? ErrorCode::NotFound : ErrorCode::Unreadable;
-  return Error{code, std::string(verb) + " " + path.string() + ": " + std::strerror(reason)};
-}
-
-}  // namespace
 
 Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
   std::error_code ignored;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
+
 namespace posecoach {
 namespace {
 
@@ -14,10 +16,6 @@ constexpr double kGuessWeight = 0.02;
 // tables as the standard body.
 constexpr double kEarHeightPerStature = 0.93;
 constexpr double kHeadJointHeightPerStature = 0.87;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Pairs of value and weight; at least one.
 double weighted_quantile(std::vector<std::pair<double, double>> values, double share) {

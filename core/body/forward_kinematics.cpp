@@ -1,15 +1,9 @@
 #include "core/body/forward_kinematics.h"
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 
 namespace posecoach {
-namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 Pose rest_pose(const Skeleton& skeleton) {
   return {skeleton.joint(0).offset, std::vector<Quat>(index(skeleton.size()), Quat(1, 0, 0, 0))};

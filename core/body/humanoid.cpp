@@ -3,7 +3,7 @@
 namespace posecoach {
 namespace {
 
-constexpr std::array<std::string_view, kHumanoidJointCount> kNames = {
+constexpr std::array<std::string_view, kHumanoidJointCount> kJointNames = {
     "pelvis",     "spine",          "spine_middle",   "chest",         "neck",
     "head",       "head_top",       "left_clavicle",  "left_shoulder", "left_elbow",
     "left_wrist", "right_clavicle", "right_shoulder", "right_elbow",   "right_wrist",
@@ -29,12 +29,12 @@ constexpr std::size_t index_of(HumanoidJoint joint) {
 }  // namespace
 
 std::string_view to_string(HumanoidJoint joint) {
-  return kNames[index_of(joint)];
+  return kJointNames[index_of(joint)];
 }
 
 std::optional<HumanoidJoint> humanoid_joint_from_string(std::string_view name) {
   for (HumanoidJoint joint : kHumanoidJoints)
-    if (kNames[index_of(joint)] == name) return joint;
+    if (kJointNames[index_of(joint)] == name) return joint;
   return std::nullopt;
 }
 

@@ -5,15 +5,12 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 
 namespace posecoach {
 namespace {
 
 constexpr int kPelvis = 0, kSpine = 1, kChest = 2, kNeck = 3, kHead = 4;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int parent_of(Landmark landmark) {
   switch (landmark) {

@@ -3,7 +3,7 @@
 namespace posecoach {
 namespace {
 
-constexpr std::array<std::string_view, kLandmarkCount> kNames = {
+constexpr std::array<std::string_view, kLandmarkCount> kLandmarkNames = {
     "nose",        "left_eye_inner",  "left_eye",        "left_eye_outer", "right_eye_inner",
     "right_eye",   "right_eye_outer", "left_ear",        "right_ear",      "mouth_left",
     "mouth_right", "left_shoulder",   "right_shoulder",  "left_elbow",     "right_elbow",
@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, kLandmarkCount> kNames = {
 }  // namespace
 
 std::string_view to_string(Landmark landmark) {
-  return kNames[static_cast<std::size_t>(landmark)];
+  return kLandmarkNames[static_cast<std::size_t>(landmark)];
 }
 
 Landmark mirrored(Landmark landmark) {

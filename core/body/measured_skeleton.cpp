@@ -6,14 +6,11 @@
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/standard_body.h"
 
 namespace posecoach {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double weighted_median(std::vector<std::pair<double, double>> value_and_weight) {
   std::sort(value_and_weight.begin(), value_and_weight.end());

@@ -13,8 +13,8 @@ namespace {
 
 using enum HumanoidJoint;
 
-constexpr std::size_t kMostAdvice = 2;
-constexpr double kLeastConfidence = 0.5;
+constexpr std::size_t kMostAtAddress = 2;
+constexpr double kClearlySeen = 0.5;
 // Differences that one camera can be trusted with, and that a golfer can feel.
 constexpr double kClearStance_m = 0.06, kClearSpine_deg = 8, kClearSide_deg = 6, kClearKnee_deg = 12,
                  kClearHands_m = 0.07;
@@ -46,7 +46,7 @@ int clearer_side(const JointTrack& student, HumanoidJoint left, HumanoidJoint ri
 
 bool sees(const JointTrack& student, std::initializer_list<HumanoidJoint> joints) {
   return std::all_of(joints.begin(), joints.end(),
-                     [&](HumanoidJoint joint) { return student.confidence(0, joint) >= kLeastConfidence; });
+                     [&](HumanoidJoint joint) { return student.confidence(0, joint) >= kClearlySeen; });
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ std::vector<std::string> address_advice(const JointTrack& student, const JointTr
                    [](const Difference& a, const Difference& b) { return a.severity > b.severity; });
   std::vector<std::string> advice;
   for (const Difference& difference : found)
-    if (advice.size() < kMostAdvice) advice.push_back(difference.text);
+    if (advice.size() < kMostAtAddress) advice.push_back(difference.text);
   return advice;
 }
 

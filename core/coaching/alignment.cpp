@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "core/base/assert.h"
 #include "core/coaching/body_axes.h"
 #include "core/coaching/dtw.h"
 
@@ -20,7 +19,7 @@ constexpr double kYawTolerance = 1e-4;
 // How far the turn that is seen may be from the one that all directions give, and when it is settled.
 constexpr double kSeenYawReach = radians_from_degrees(20), kSeenYawTolerance = 1e-3;
 // Nobody is believed less than this: a hidden arm is still somewhere near.
-constexpr double kLeastConfidence = 0.05;
+constexpr double kConfidenceFloor = 0.05;
 // Distances below it do not pull harder on the turn, metres.
 constexpr double kNear = 0.02;
 
@@ -35,7 +34,7 @@ PoseSequence pose_sequence(const JointTrack& track, const std::vector<HumanoidJo
       p = sight.seen(p);
       poses.set(row, static_cast<int>(k), static_cast<float>(p.x), static_cast<float>(p.y),
                 static_cast<float>(p.z),
-                static_cast<float>(std::max(track.confidence(frame, joints[k]), kLeastConfidence)));
+                static_cast<float>(std::max(track.confidence(frame, joints[k]), kConfidenceFloor)));
     }
   }
   return poses;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/median.h"
 #include "core/coaching/pendulum.h"
 #include "core/coaching/signal.h"
 
@@ -72,9 +73,7 @@ HandPath make_hand_path(const JointTrack& track, const Sight& sight) {
   path.right_arms = smoothed(path.right_arms, sigma);
   path.shoulder_line = smoothed(path.shoulder_line, sigma);
   path.speed = speed_of(path.hands, kHandPathRate);
-  const auto middle = torso.begin() + static_cast<std::ptrdiff_t>(torso.size() / 2);
-  std::nth_element(torso.begin(), middle, torso.end());
-  path.torso_m = *middle;
+  path.torso_m = median(std::move(torso));
   return path;
 }
 

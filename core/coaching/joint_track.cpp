@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/assert.h"
+#include "core/base/median.h"
 #include "core/body/mirror.h"
 #include "core/coaching/text/refusal_text.h"
 
@@ -60,9 +61,7 @@ double JointTrack::frame_rate() const {
   if (times_.size() < 2) return 0;
   std::vector<double> steps;
   for (std::size_t i = 1; i < times_.size(); ++i) steps.push_back(times_[i] - times_[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return 1 / *middle;
+  return 1 / median(std::move(steps));
 }
 
 JointTrack JointTrack::averaged(double begin_s, double end_s) const {

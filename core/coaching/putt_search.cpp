@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/index.h"
 #include "core/coaching/signal.h"
 #include "core/coaching/stroke_search.h"
 #include "core/coaching/text/refusal_text.h"
@@ -30,10 +31,6 @@ int samples(double seconds) {
   return static_cast<int>(std::lround(seconds * kHandPathRate));
 }
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 // How much of a way is done after a part of its time by the least jerk, as people move (Flash and Hogan
 // 1985): from rest to rest, and from rest to a turn, which is swung through without a stop.
 double to_rest(double time) {
@@ -49,9 +46,9 @@ struct Spread {
 Spread spread_of(const std::vector<double>& values, int first, int last) {
   Spread spread;
   const double count = last - first + 1;
-  for (int i = first; i <= last; ++i) spread.mean += values[at(i)] / count;
+  for (int i = first; i <= last; ++i) spread.mean += values[index(i)] / count;
   for (int i = first; i <= last; ++i)
-    spread.deviation += (values[at(i)] - spread.mean) * (values[at(i)] - spread.mean) / count;
+    spread.deviation += (values[index(i)] - spread.mean) * (values[index(i)] - spread.mean) / count;
   spread.deviation = std::sqrt(spread.deviation);
   return spread;
 }
@@ -73,7 +70,7 @@ std::optional<Fit> fit_start(const std::vector<double>& values, int earliest, in
     double sum = fit.rest.deviation * fit.rest.deviation * (start - first + 1);
     for (int i = start + 1; i <= goal; ++i) {
       const double way = to_turn(static_cast<double>(i - start) / (goal - start));
-      const double off = values[at(i)] - (fit.rest.mean + way * (values[at(goal)] - fit.rest.mean));
+      const double off = values[index(i)] - (fit.rest.mean + way * (values[index(goal)] - fit.rest.mean));
       sum += off * off;
     }
     fit.error = sum / (goal - first + 1);
@@ -93,7 +90,8 @@ std::optional<Fit> fit_end(const std::vector<double>& values, int fastest) {
     double sum = fit.rest.deviation * fit.rest.deviation * (rest_last - end + 1);
     for (int i = fastest; i < end; ++i) {
       const double way = 2 * to_rest(0.5 + 0.5 * (i - fastest) / (end - fastest)) - 1;
-      const double off = values[at(i)] - (values[at(fastest)] + way * (fit.rest.mean - values[at(fastest)]));
+      const double off =
+          values[index(i)] - (values[index(fastest)] + way * (fit.rest.mean - values[index(fastest)]));
       sum += off * off;
     }
     fit.error = sum / (rest_last - fastest + 1);
@@ -106,13 +104,13 @@ std::optional<Fit> fit_end(const std::vector<double>& values, int fastest) {
 // model's do, move it less than they move the crossing itself.
 std::optional<double> passing(const std::vector<double>& values, int top, int end, double level) {
   if (!crossing(values, top, end, level)) return std::nullopt;
-  const double back = level - values[at(top)];
+  const double back = level - values[index(top)];
   const auto begins = crossing(values, top, end, level - kPassing * back),
              ends = crossing(values, top, end, level + kPassing * back);
   if (!begins || !ends) return crossing(values, top, end, level);
   double count = 0, sum_t = 0, sum_v = 0, sum_tt = 0, sum_tv = 0;
   for (int i = static_cast<int>(*begins); i <= static_cast<int>(*ends) + 1; ++i) {
-    const double t = i - *begins, v = values[at(i)] - level;
+    const double t = i - *begins, v = values[index(i)] - level;
     count += 1;
     sum_t += t;
     sum_v += v;
@@ -130,7 +128,7 @@ double tremble_of(const std::vector<double>& values) {
   double sum = 0;
   int count = 0;
   for (int i = step; i + step < static_cast<int>(values.size()); ++i, ++count) {
-    const double bend = values[at(i - step)] - 2 * values[at(i)] + values[at(i + step)];
+    const double bend = values[index(i - step)] - 2 * values[index(i)] + values[index(i + step)];
     sum += bend * bend / 6;
   }
   return count > 0 ? std::sqrt(sum / count) : 0;
@@ -140,7 +138,7 @@ double tremble_of(const std::vector<double>& values) {
 double quickest_rise(const std::vector<double>& values, int from, int to) {
   const int step = std::min(samples(kQuick_s), to - from);
   double most = 0;
-  for (int i = from; i + step <= to; ++i) most = std::max(most, values[at(i + step)] - values[at(i)]);
+  for (int i = from; i + step <= to; ++i) most = std::max(most, values[index(i + step)] - values[index(i)]);
   return most;
 }
 
@@ -158,11 +156,11 @@ std::optional<Forward> find_forward(const HandPath& path, const std::vector<doub
   double most = 0;
   for (std::size_t k = 0; k + 1 < turns.size(); ++k) {
     const int from = turns[k].index, to = turns[k + 1].index;
-    const bool is_high = path.height[at(index_of_largest(path.height, from, to))] -
-                             path.height[at(index_of_smallest(path.height, 0, to))] >
+    const bool is_high = path.height[index(index_of_largest(path.height, from, to))] -
+                             path.height[index(index_of_smallest(path.height, 0, to))] >
                          kMostRise * path.torso_m;
     if (turns[k].is_peak || is_high) continue;
-    const double size = (forward[at(to)] - forward[at(from)]) * quickest_rise(forward, from, to);
+    const double size = (forward[index(to)] - forward[index(from)]) * quickest_rise(forward, from, to);
     if (size <= most) continue;
     most = size;
     best = Forward{from, to};
@@ -177,7 +175,7 @@ Result<StrokeMoments> find_putt(const HandPath& path, const std::vector<double>&
   if (!stroke) return fail(ErrorCode::Incomplete, text::no_stroke_seen());
   const int top = stroke->from;
   const auto start = fit_start(forward, 0, top);
-  if (!start || start->rest.deviation > kMostAtRest * std::abs(forward[at(top)] - start->rest.mean))
+  if (!start || start->rest.deviation > kMostAtRest * std::abs(forward[index(top)] - start->rest.mean))
     return fail(ErrorCode::Incomplete, text::no_rest_before_the_stroke());
   const auto impact = passing(forward, top, stroke->to, start->rest.mean);
   if (!impact) return fail(ErrorCode::Incomplete, text::hands_do_not_come_back());

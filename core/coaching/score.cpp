@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "core/base/median.h"
+
 namespace posecoach {
 namespace {
 
@@ -40,9 +42,7 @@ double leg_length(const JointTrack& track) {
              glm::distance(track.position(frame, knee), track.position(frame, ankle));
     lengths.push_back(0.5 * sum);
   }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return median(std::move(lengths));
 }
 
 namespace {

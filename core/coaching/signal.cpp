@@ -7,13 +7,10 @@
 #include <limits>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 
 namespace posecoach {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 template <typename T>
 std::vector<T> gaussian(const std::vector<T>& values, double sigma) {
@@ -30,8 +27,8 @@ std::vector<T> gaussian(const std::vector<T>& values, double sigma) {
     // Only as far as both sides reach, so that an end is not pulled inwards.
     const int symmetric = std::min({reach, i, count - 1 - i});
     for (int d = -symmetric; d <= symmetric; ++d) {
-      const double weight = kernel[at(std::abs(d))];
-      sum += weight * values[at(i + d)];
+      const double weight = kernel[index(std::abs(d))];
+      sum += weight * values[index(i + d)];
       total += weight;
     }
     result.push_back(sum / total);
@@ -54,14 +51,14 @@ std::vector<double> speed_of(const std::vector<Vec3>& positions, double rate) {
   std::vector<double> speed(positions.size(), 0.0);
   for (int i = 0; i < count; ++i) {
     const int a = std::max(0, i - 1), b = std::min(count - 1, i + 1);
-    if (b > a) speed[at(i)] = glm::distance(positions[at(a)], positions[at(b)]) * rate / (b - a);
+    if (b > a) speed[index(i)] = glm::distance(positions[index(a)], positions[index(b)]) * rate / (b - a);
   }
   return speed;
 }
 
 double vertex_near(const std::vector<double>& values, int i) {
   if (i <= 0 || i + 1 >= static_cast<int>(values.size())) return i;
-  const double a = values[at(i - 1)], b = values[at(i)], c = values[at(i + 1)];
+  const double a = values[index(i - 1)], b = values[index(i)], c = values[index(i + 1)];
   const double bend = a - 2 * b + c;
   return bend == 0 ? i : i + std::clamp(0.5 * (a - c) / bend, -1.0, 1.0);
 }
@@ -78,15 +75,15 @@ double peak_of_curve(const std::vector<double>& values, int i, double half, int 
   for (int k = first; k <= end; ++k) {
     std::array<double, kMostTerms> power{1};
     for (std::size_t term = 1; term < kMostTerms; ++term) power[term] = power[term - 1] * (k - i) / half;
-    for (std::size_t row = 0; row < at(terms); ++row) {
-      for (std::size_t column = 0; column < at(terms); ++column)
+    for (std::size_t row = 0; row < index(terms); ++row) {
+      for (std::size_t column = 0; column < index(terms); ++column)
         rows[row][column] += power[row] * power[column];
-      rows[row][kMostTerms] += power[row] * values[at(k)];
+      rows[row][kMostTerms] += power[row] * values[index(k)];
     }
   }
   // Positive definite: no pivoting is needed.
-  for (std::size_t pivot = 0; pivot < at(terms); ++pivot)
-    for (std::size_t row = 0; row < at(terms); ++row) {
+  for (std::size_t pivot = 0; pivot < index(terms); ++pivot)
+    for (std::size_t row = 0; row < index(terms); ++row) {
       if (row == pivot) continue;
       const double factor = rows[row][pivot] / rows[pivot][pivot];
       for (std::size_t column = 0; column <= kMostTerms; ++column)
@@ -97,7 +94,7 @@ double peak_of_curve(const std::vector<double>& values, int i, double half, int 
   for (int place = 0; place <= kPlaces; ++place) {
     const double t = ((end - first) * static_cast<double>(place) / kPlaces + first - i) / half;
     double value = 0, power = 1;
-    for (std::size_t term = 0; term < at(terms); ++term, power *= t)
+    for (std::size_t term = 0; term < index(terms); ++term, power *= t)
       value += power * rows[term][kMostTerms] / rows[term][term];
     if (value <= highest) continue;
     highest = value;
@@ -119,7 +116,7 @@ int index_of_smallest(const std::vector<double>& values, int first, int last) {
 std::optional<double> crossing(const std::vector<double>& values, int from, int to, double level) {
   const int step = from <= to ? 1 : -1;
   for (int i = from; i != to; i += step) {
-    const double a = values[at(i)] - level, b = values[at(i + step)] - level;
+    const double a = values[index(i)] - level, b = values[index(i + step)] - level;
     if (a == 0) return i;
     if ((a < 0) != (b < 0)) return i + step * a / (a - b);
   }
@@ -131,14 +128,14 @@ std::vector<Extreme> extremes(const std::vector<double>& values, double prominen
   int low = 0, high = 0;
   bool rising = true, known = false;
   for (int i = 1; i < static_cast<int>(values.size()); ++i) {
-    if (values[at(i)] > values[at(high)]) high = i;
-    if (values[at(i)] < values[at(low)]) low = i;
-    if ((!known || rising) && values[at(high)] - values[at(i)] >= prominence) {
+    if (values[index(i)] > values[index(high)]) high = i;
+    if (values[index(i)] < values[index(low)]) low = i;
+    if ((!known || rising) && values[index(high)] - values[index(i)] >= prominence) {
       found.push_back({high, true});
       rising = false;
       known = true;
       low = high = i;
-    } else if ((!known || !rising) && values[at(i)] - values[at(low)] >= prominence) {
+    } else if ((!known || !rising) && values[index(i)] - values[index(low)] >= prominence) {
       found.push_back({low, false});
       rising = true;
       known = true;
@@ -149,12 +146,12 @@ std::vector<Extreme> extremes(const std::vector<double>& values, double prominen
   return found;
 }
 
-double value_at(const std::vector<double>& values, double index) {
+double value_at(const std::vector<double>& values, double place) {
   const int last = static_cast<int>(values.size()) - 1;
-  const double clamped = std::clamp(index, 0.0, static_cast<double>(last));
+  const double clamped = std::clamp(place, 0.0, static_cast<double>(last));
   const int left = std::min(static_cast<int>(clamped), std::max(0, last - 1));
   const int right = std::min(left + 1, last);
-  return values[at(left)] + (clamped - left) * (values[at(right)] - values[at(left)]);
+  return values[index(left)] + (clamped - left) * (values[index(right)] - values[index(left)]);
 }
 
 }  // namespace posecoach

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/median.h"
 #include "core/coaching/pendulum.h"
 #include "core/coaching/posture.h"
 #include "core/coaching/text/refusal_text.h"
@@ -22,12 +23,6 @@ constexpr double kPuttMean_s = 0.05;
 // Backswing over downswing; hurried and lazy golfers are well inside.
 constexpr double kLeastTempo = 0.7, kMostTempo = 9;
 constexpr double kLeastTurn_deg = 20;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 tl::unexpected<Error> no_stroke(const std::string& why) {
   return fail(ErrorCode::Unsupported, text::no_golf_stroke(why));

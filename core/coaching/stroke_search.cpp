@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "core/coaching/signal.h"
 
 namespace posecoach {
@@ -24,10 +25,6 @@ constexpr double kVisible = 0.01;
 constexpr double kNearStart = 0.02, kFarStart = 0.10;
 constexpr double kNearRest = 0.001, kFarRest = 0.01;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 std::vector<double> distance_from(const std::vector<Vec3>& positions, const Vec3& place) {
   std::vector<double> distance;
   distance.reserve(positions.size());
@@ -43,10 +40,10 @@ struct Rest {
 Rest rest_of(const std::vector<Vec3>& positions, int first, int last) {
   Rest rest;
   const double count = last - first + 1;
-  for (int i = first; i <= last; ++i) rest.place += positions[at(i)] / count;
+  for (int i = first; i <= last; ++i) rest.place += positions[index(i)] / count;
   double sum = 0;
   for (int i = first; i <= last; ++i)
-    sum += glm::dot(positions[at(i)] - rest.place, positions[at(i)] - rest.place);
+    sum += glm::dot(positions[index(i)] - rest.place, positions[index(i)] - rest.place);
   rest.tremble = std::sqrt(sum / count);
   return rest;
 }
@@ -63,9 +60,9 @@ double rest_speed(const std::vector<double>& speed, double largest) {
 // of it; at the film's very start any rest will do.
 std::optional<std::pair<int, int>> last_rest(const std::vector<double>& speed, int moving, double still) {
   for (int last = moving; last >= 0; --last) {
-    if (speed[at(last)] > still) continue;
+    if (speed[index(last)] > still) continue;
     int first = last;
-    while (first > 0 && last - first < kRestSamples && speed[at(first - 1)] <= still) --first;
+    while (first > 0 && last - first < kRestSamples && speed[index(first - 1)] <= still) --first;
     if (first == 0 || last - first == kRestSamples) return std::pair(first, last);
     last = first;
   }
@@ -88,7 +85,7 @@ std::optional<SwingBow> find_bow(const HandPath& path) {
   for (std::size_t k = 0; k + 2 < turns.size(); ++k) {
     if (!turns[k].is_peak) continue;
     const SwingBow bow{turns[k].index, turns[k + 1].index, turns[k + 2].index};
-    const double speed = path.speed[at(index_of_largest(path.speed, bow.top, bow.follow))];
+    const double speed = path.speed[index(index_of_largest(path.speed, bow.top, bow.follow))];
     if (speed > best_speed) {
       best_speed = speed;
       best = bow;
@@ -105,7 +102,7 @@ std::optional<StrokeStart> find_start(const HandPath& path, int moving, double l
   const auto& [first, last] = *rest;
   const Rest before = rest_of(path.unweighted_hands, first, first + (last - first) / 2);
   const std::vector<double> distance = distance_from(path.unweighted_hands, before.place);
-  const double way = distance[at(moving)];
+  const double way = distance[index(moving)];
   const auto passed = [&](double part) {
     return crossing(distance, moving, first, std::max(part * way, 3 * before.tremble));
   };
@@ -125,12 +122,12 @@ std::vector<double> distance_from_rest(const HandPath& path, const StrokeStart& 
              right = rest_of(path.right_wrist, first, last).place;
   double left_weight = 1e-3, right_weight = 1e-3;
   for (int i = first; i <= last; ++i) {
-    left_weight += path.left_confidence[at(i)];
-    right_weight += path.right_confidence[at(i)];
+    left_weight += path.left_confidence[index(i)];
+    right_weight += path.right_confidence[index(i)];
   }
   std::vector<double> distance;
   for (int i = 0; i < path.count(); ++i) {
-    const Vec3 l = path.left_wrist[at(i)] - left, r = path.right_wrist[at(i)] - right;
+    const Vec3 l = path.left_wrist[index(i)] - left, r = path.right_wrist[index(i)] - right;
     distance.push_back(std::sqrt((left_weight * glm::dot(l, l) + right_weight * glm::dot(r, r)) /
                                  (left_weight + right_weight)));
   }
@@ -142,13 +139,13 @@ double find_rest(const HandPath& path, int moving, double largest_speed) {
   const double still = rest_speed(speed, largest_speed);
   const int last = path.count() - 1;
   int rest = moving;
-  while (rest <= last && speed[at(rest)] > still) ++rest;
+  while (rest <= last && speed[index(rest)] > still) ++rest;
   if (rest > last) return last;
   int end = rest;
-  while (end < last && end - rest < 2 * kRestSamples && speed[at(end + 1)] < still) ++end;
+  while (end < last && end - rest < 2 * kRestSamples && speed[index(end + 1)] < still) ++end;
   const Rest after = rest_of(path.hands, rest + (end - rest) / 2, end);
   const std::vector<double> distance = distance_from(path.hands, after.place);
-  const double way = distance[at(moving)];
+  const double way = distance[index(moving)];
   const double near = std::max(kNearRest * way, 3 * after.tremble),
                far = std::min(near * kFarRest / kNearRest, std::max(3 * near, 0.03 * way));
   const auto near_at = crossing(distance, moving, end, near), far_at = crossing(distance, moving, end, far);

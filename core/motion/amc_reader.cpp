@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
 #include "core/base/assert.h"
 #include "core/base/file.h"
+#include "core/base/index.h"
 #include "core/motion/asf_amc_reader.h"
 #include "core/motion/rig.h"
 #include "core/motion/text_scanner.h"
@@ -13,12 +13,6 @@ namespace posecoach {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double kLargestNumber = 1e7;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 tl::unexpected<Error> in_file(std::string_view file_name, const Error& error) {
   return fail(error.code, std::string(file_name) + ": " + error.message);
@@ -122,7 +116,7 @@ class AmcReader {
 
   Result<double> number_of(std::string_view bone) {
     double value = 0;
-    if (scanner_.next_number(value, kLargestNumber)) return value;
+    if (scanner_.next_number(value)) return value;
     const std::string_view word = scanner_.next();
     return scanner_.failure(in_quotes(bone) + " needs a number, found " + in_quotes(word));
   }

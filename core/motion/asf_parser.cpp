@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::size_t kMostBones = 4096;
 constexpr double kMetresPerInch = 0.0254;
-constexpr double kLargestNumber = 1e7;
 
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;

@@ -7,7 +7,6 @@ namespace posecoach {
 namespace {
 
 constexpr std::size_t kMostJoints = 4096;
-constexpr double kLargestNumber = 1e7;  // beyond it a number is a mistake, whatever the unit
 constexpr double kShortestFrame_s = 1e-5;
 constexpr double kLongestFrame_s = 2;
 
@@ -56,7 +55,7 @@ class Parser {
 
   Result<double> number(const std::string& what) {
     double value = 0;
-    if (scanner_.next_number(value, kLargestNumber)) return value;
+    if (scanner_.next_number(value)) return value;
     return scanner_.failure(what + " needs a number, found " + found(scanner_.next()));
   }
 
@@ -176,7 +175,7 @@ class Parser {
     for (std::size_t frame = 0; frame < frames; ++frame) {
       for (std::size_t channel = 0; channel < channels; ++channel) {
         double value = 0;
-        if (!scanner_.next_number(value, kLargestNumber)) return bad_value(frame, channel);
+        if (!scanner_.next_number(value)) return bad_value(frame, channel);
         document_.values.push_back(value);
       }
       if (!scanner_.at_line_end()) return not_at_line_end(frame);

@@ -3,16 +3,12 @@
 #include <map>
 #include <set>
 
-#include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/motion/bvh_motion.h"
 #include "core/motion/rig.h"
 
 namespace posecoach {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string unique_name(std::string wanted, std::set<std::string>& taken) {
   std::string name = wanted;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/forward_kinematics.h"
 #include "core/motion/bvh_motion.h"
 
@@ -12,10 +12,6 @@ using Kind = BvhChannel::Kind;
 
 constexpr double kCentimetre = 0.01;
 constexpr EulerOrder kUsualOrder = {Axis::Z, Axis::X, Axis::Y};
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string file_safe(std::string_view name) {
   std::string safe(name);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/two_bone_ik.h"
 
 namespace posecoach {
@@ -13,10 +14,6 @@ namespace {
 constexpr double kStaturePerLegAndTrunk = 1.0 / (0.491 + 0.288);  // of the standard body
 constexpr double kMostArmDeviation = radians_from_degrees(25);
 constexpr double kMostLegDeviation = radians_from_degrees(18);
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // A file's joints with their rest positions, by role.
 class RestPose {

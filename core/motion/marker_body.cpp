@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/median.h"
 #include "core/body/measured_skeleton.h"
 #include "core/motion/file_frame.h"
 #include "core/motion/marker_sets.h"
@@ -180,9 +181,7 @@ class MarkerBodyBuilder {
                         glm::distance(at(first, LeftHip), at(first, LeftKnee)) +
                         glm::distance(at(first, LeftKnee), at(first, LeftAnkle)));
     }
-    std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2),
-                     heights.end());
-    const double height = heights[heights.size() / 2];
+    const double height = median(std::move(heights));
     double scale = track_.metres_per_unit;
     if (scale <= 0 || height * scale < kShortestPerson_m || height * scale > kTallestPerson_m)
       scale = height > 0 ? metres_per_unit_of_person(height) : 1;

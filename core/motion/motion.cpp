@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/median.h"
 #include "core/body/forward_kinematics.h"
 #include "core/body/mirror.h"
 
@@ -78,9 +79,7 @@ double Motion::frame_rate() const {
   if (times_.size() < 2) return 0;
   std::vector<Duration> steps;
   for (std::size_t i = 1; i < times_.size(); ++i) steps.push_back(times_[i] - times_[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return 1.0 / to_seconds(*middle);
+  return 1.0 / to_seconds(median(std::move(steps)));
 }
 
 std::span<const Quat> Motion::rotations(int frame) const {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/base/index.h"
 #include "core/base/json_text.h"
 #include "core/motion/pose_file.h"
 #include "core/motion/rig.h"
@@ -14,10 +15,6 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kSchema = "posecoach.pose/1";
 constexpr std::size_t kMostJoints = 4096;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // A frame as it stands in the file; whether it fits the joints is known at the end only.
 struct RawFrame {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <initializer_list>
 
-#include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/motion/short_list.h"
 
 namespace posecoach {
@@ -25,10 +25,6 @@ constexpr auto kUpperArmNames = {"upperarm", "uparm", "arm", "shldr", "humerus"}
 constexpr auto kElbowNames = {"forearm", "lowerarm", "lowarm", "elbow", "radius"};
 constexpr auto kWristNames = {"wrist", "hand"};
 constexpr auto kHeadTopNames = {"headtopend", "headtop", "headend", "headnub", "headtip", "topofhead"};
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Limb {
   int first = kNoJoint, second = kNoJoint, third = kNoJoint, fourth = kNoJoint, fifth = kNoJoint;

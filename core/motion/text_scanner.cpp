@@ -94,13 +94,13 @@ std::string_view TextScanner::next() {
   return word;
 }
 
-bool TextScanner::next_number(double& value, double largest) {
+bool TextScanner::next_number(double& value) {
   skip_blanks();
   const char* begin = text_.data() + position_;
   const char* const text_end = text_.data() + text_.size();
   if (begin != text_end && *begin == '+') ++begin;
   const auto [end, error] = std::from_chars(begin, text_end, value);
-  if (error != std::errc{} || !(std::abs(value) <= largest)) return false;
+  if (error != std::errc{} || !(std::abs(value) <= kLargestNumber)) return false;
   if (end != text_end && !is_blank(*end) && !is_brace(*end)) return false;
   position_ = static_cast<std::size_t>(end - text_.data());
   word_line_ = line_;

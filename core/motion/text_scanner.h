@@ -14,6 +14,9 @@ namespace posecoach {
 // At most 40 printable characters of foreign text in quotation marks, fit for a message of one line.
 std::string in_quotes(std::string_view text);
 
+// Beyond it a number in a motion file is a mistake, whatever the unit.
+inline constexpr double kLargestNumber = 1e7;
+
 // The whole of `text` as a finite number; a leading plus and exponents are fine.
 std::optional<double> parse_number(std::string_view text);
 std::optional<long> parse_integer(std::string_view text);
@@ -31,9 +34,9 @@ class TextScanner {
   std::string_view next();
   std::string_view peek();
   bool at_end() { return peek().empty(); }
-  // The next word as a finite number of at most `largest`, either sign; when it is none, false and the word
-  // is still there to be looked at.
-  bool next_number(double& value, double largest);
+  // The next word as a finite number of at most kLargestNumber, either sign; when it is none, false and the
+  // word is still there to be looked at.
+  bool next_number(double& value);
   // What remains of the line after the last word, up to an opening brace, without blanks at its ends.
   std::string_view rest_of_name();
   // Leaves out what remains of the line.

@@ -7,7 +7,6 @@ namespace posecoach {
 namespace {
 
 constexpr std::size_t kMostMarkers = 4096;
-constexpr double kLargestNumber = 1e7;
 
 // By tabs, where there are any: then an empty cell counts. Else by blanks.
 std::vector<std::string_view> cells_of(std::string_view line) {

@@ -11,7 +11,7 @@ namespace posecoach {
 namespace {
 
 constexpr double kAnswerStays_s = 4;
-constexpr std::size_t kFewestLooks = 15;
+constexpr std::size_t kFewestSeen = 15;
 constexpr double kLeastSeen = 0.7;
 
 bool is_whole(const WorldKeypoints& placed) {
@@ -49,7 +49,7 @@ std::optional<Skeleton> BodyMeasuring::step(MediaTime time, const std::optional<
 std::optional<Skeleton> BodyMeasuring::finish() {
   since_ = now_;
   stage_ = Measuring::Stage::Failed;
-  if (looks_.size() < kFewestLooks || static_cast<double>(looks_.size()) < kLeastSeen * looks_asked_) {
+  if (looks_.size() < kFewestSeen || static_cast<double>(looks_.size()) < kLeastSeen * looks_asked_) {
     words_ = text::measure(text::Measure::NotSeen);
     return std::nullopt;
   }

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/base/median.h"
+
 namespace posecoach {
 namespace {
 
@@ -78,10 +80,7 @@ double reprojection_error_px(std::span<const SeenPerson> people, std::span<const
       if (p.z < 0.05 || people[frame].image[i].visibility < 0.5) continue;
       distances.push_back(glm::distance(project(p, camera), people[frame].image[i].position_px));
     }
-  if (distances.empty()) return 0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return distances.empty() ? 0 : median(std::move(distances));
 }
 
 double estimate_focal_px(std::span<const SeenPerson> people, int width_px, int height_px) {

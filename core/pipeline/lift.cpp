@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/base/assert.h"
+#include "core/base/median.h"
 #include "core/body/body_measurement.h"
 #include "core/body/landmark_body.h"
 #include "core/pipeline/placing.h"
@@ -14,7 +14,6 @@
 namespace posecoach {
 namespace {
 
-constexpr std::size_t kJoints = kLandmarkBodyJointCount;
 constexpr std::size_t kFewestFrames = 3;
 // A golfer shifts his weight within a second or two; the model's sense of size wavers faster than that.
 constexpr double kDepthSmoothing_s = 0.5;
@@ -51,10 +50,7 @@ std::vector<double> smooth_depths(std::span<const std::optional<Vec3>> places,
   std::vector<double> known;
   for (const auto& place : places)
     if (place) known.push_back(place->z);
-  POSECOACH_ASSERT(!known.empty());
-  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
-  std::nth_element(known.begin(), middle, known.end());
-  const double usual = *middle;
+  const double usual = median(std::move(known));
   std::size_t begin = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     while (times_s[begin] < times_s[i] - 3 * kDepthSmoothing_s) ++begin;
@@ -120,7 +116,7 @@ Result<SizedBody> size_body(const Placed& placed, const Sightings& sightings, co
   std::vector<WorldKeypoints> frames(sightings.people.size());
   for (std::size_t f = 0; f < frames.size(); ++f)
     for (std::size_t i = 0; i < kLandmarkCount; ++i)
-      frames[f][i] = {placed.positions[f * kJoints + i + kLandmarkBodyDerivedJoints],
+      frames[f][i] = {placed.positions[f * kLandmarkBodyJointCount + i + kLandmarkBodyDerivedJoints],
                       sightings.people[f].image[i].visibility};
   const Result<Skeleton> measured = measure_landmark_body(frames);
   if (!measured) return tl::unexpected(measured.error());
@@ -149,11 +145,11 @@ Result<Motion> motion_in_world(const PoseTrack& track, const Sightings& sighting
     times.push_back(track.frames[frame].time);
     const double span = sightings.times_s[right] - sightings.times_s[left];
     const double part = seen || span <= 0 ? 0.0 : (to_seconds(times.back()) - sightings.times_s[left]) / span;
-    for (std::size_t j = 0; j < kJoints; ++j) {
-      const Vec3 place =
-          glm::mix(placed.positions[left * kJoints + j], placed.positions[right * kJoints + j], part);
+    for (std::size_t j = 0; j < kLandmarkBodyJointCount; ++j) {
+      const Vec3 place = glm::mix(placed.positions[left * kLandmarkBodyJointCount + j],
+                                  placed.positions[right * kLandmarkBodyJointCount + j], part);
       positions.push_back(stance.world_from_camera * (place - stance.origin));
-      confidence.push_back(seen ? placed.confidence[left * kJoints + j] : 0.0);
+      confidence.push_back(seen ? placed.confidence[left * kLandmarkBodyJointCount + j] : 0.0);
     }
   }
   return Motion::from_positions(body, std::move(times), std::move(positions), std::move(confidence));

@@ -12,9 +12,8 @@
 namespace posecoach {
 namespace {
 
-constexpr std::size_t kJoints = kLandmarkBodyJointCount;
 // As in lift(), but only the past is known: half as slow, so that it lags about as much.
-constexpr double kDepthSmoothing_s = 0.3;
+constexpr double kLiveDepthSmoothing_s = 0.3;
 constexpr double kForgotten_s = 1.0;
 constexpr double kWindow_s = 4.0, kWindowStep_s = 0.1;
 constexpr int kFewestForBody = 10;
@@ -115,7 +114,7 @@ std::optional<LiveStudent> LiveLift::step(MediaTime time, const std::optional<Se
   LiveStudent student;
   placed_ = keypoints_at(*person, depth, *intrinsics_);
   const auto joints = landmark_body_positions(points_of(*placed_));
-  for (std::size_t j = 0; j < kJoints; ++j)
+  for (std::size_t j = 0; j < kLandmarkBodyJointCount; ++j)
     student.positions[j] = turn * (size * (joints[j] - ground_->origin));
   for (WorldKeypoint& keypoint : *placed_) keypoint.position_m *= size;
   student.confidence = landmark_body_confidence(visibility_of(*person));
@@ -153,7 +152,7 @@ double LiveLift::smooth_depth(MediaTime time, double depth) {
   if (!depth_)
     depth_ = depth;
   else
-    *depth_ += (depth - *depth_) * (1 - std::exp(-seconds / kDepthSmoothing_s));
+    *depth_ += (depth - *depth_) * (1 - std::exp(-seconds / kLiveDepthSmoothing_s));
   return *depth_;
 }
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/base/assert.h"
+#include "core/base/median.h"
 #include "core/body/landmark_body.h"
 #include "core/body/mirror.h"
 #include "core/coaching/text/picture_text.h"
@@ -90,13 +90,6 @@ std::vector<Pose2d> pictures_of(const std::vector<ImageKeypoints>& frames) {
   for (std::size_t i = 0; i < count; ++i)
     pictures.push_back(pose2d_from_landmarks(frames[i * frames.size() / count]));
   return pictures;
-}
-
-double median(std::vector<double> values) {
-  POSECOACH_ASSERT(!values.empty());
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double hips_depth(const LiftedStudent& person) {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/assert.h"
+#include "core/base/median.h"
 #include "core/body/landmark_body.h"
 
 namespace posecoach {
@@ -22,13 +23,7 @@ FramePositions frame_of(std::span<const Vec3> positions, std::size_t frame) {
   return positions.subspan(frame * kJoints).first<kJoints>();
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-Vec3 median(const std::vector<Vec3>& values) {
+Vec3 middle_of(const std::vector<Vec3>& values) {
   Vec3 result;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> parts;
@@ -155,9 +150,9 @@ Stance estimate_stance(std::span<const Vec3> positions, double frames_per_second
     feet_centres.push_back(foot_centre(frame));
     for (std::size_t i = 0; i < 4; ++i) feet[i].push_back(at(frame, kFootPoints[i]));
   }
-  const Tilt tilt =
-      combined_tilt(tilt_of_up(median(balance)),
-                    tilt_of_feet({median(feet[0]), median(feet[1]), median(feet[2]), median(feet[3])}));
+  const Tilt tilt = combined_tilt(
+      tilt_of_up(middle_of(balance)),
+      tilt_of_feet({middle_of(feet[0]), middle_of(feet[1]), middle_of(feet[2]), middle_of(feet[3])}));
 
   const Vec3 up = glm::normalize(Vec3(std::tan(tilt.roll), -1, -std::tan(tilt.pitch)));
   const Vec3 towards_camera = glm::normalize(Vec3(0, 0, -1) - up * glm::dot(up, Vec3(0, 0, -1)));
@@ -170,7 +165,7 @@ Stance estimate_stance(std::span<const Vec3> positions, double frames_per_second
     std::sort(heights.begin(), heights.end());
     floor.push_back(0.5 * (heights[0] + heights[1]));
   }
-  const Vec3 under = median(feet_centres);
+  const Vec3 under = middle_of(feet_centres);
   stance.origin = under + up * (median(std::move(floor)) - glm::dot(up, under));
   return stance;
 }

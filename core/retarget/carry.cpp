@@ -1,6 +1,7 @@
 #include "core/retarget/carry.h"
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/forward_kinematics.h"
 #include "core/retarget/joint_mapping.h"
 #include "core/retarget/root_path.h"
@@ -8,10 +9,6 @@
 
 namespace posecoach {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Frames {
   std::vector<Vec3> roots;

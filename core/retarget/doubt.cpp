@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/retarget/smoothing.h"
 
 namespace posecoach {
@@ -12,10 +13,6 @@ namespace {
 
 constexpr double kSureError = 0.005, kDoubtfulError = 0.025;
 constexpr double kDoubtSmoothing_s = 0.25;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Only canonical bones: hair and clothes may stretch.
 double bone_error(const Motion& motion, int frame, const std::vector<int>& bones) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/retarget/feet.h"
 #include "core/retarget/grip.h"
 #include "core/retarget/joint_limits.h"
@@ -19,10 +20,6 @@ namespace {
 using enum HumanoidJoint;
 
 constexpr double kEvaluationRate = 30;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::vector<HumanoidJoint> roles_of(const Skeleton& skeleton) {
   std::vector<HumanoidJoint> roles;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/forward_kinematics.h"
 #include "core/body/standard_body.h"
 
@@ -21,10 +22,6 @@ constexpr std::array kBodies = {NamedBody{"arms +20 %", 1.2, 1},
                                 NamedBody{"shoulders -20 %", 1, 0.8},
                                 NamedBody{"arms +20 %, shoulders -20 %", 1.2, 0.8},
                                 NamedBody{"arms -20 %, shoulders +20 %", 0.8, 1.2}};
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "core/retarget/limb.h"
 #include "core/retarget/root_path.h"
 #include "core/retarget/smoothing.h"
@@ -18,14 +19,6 @@ constexpr double kRelease_s = 0.25;
 // A heel or toe that takes over a little high or low settles at its height.
 constexpr double kSettling_s = 0.15;
 constexpr double kHipSmoothing_s = 0.15;
-// Knees lock suddenly: a leg is stretched no further than this, or than the coach stretches his; the hips
-// give way.
-constexpr double kComfortableReach = 0.985;
-constexpr double kFullReach = 0.9999;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // From 1 to 0 with no kink at either end.
 double release(double part) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "core/retarget/feet.h"
 #include "core/retarget/root_path.h"
 #include "core/retarget/smoothing.h"
@@ -27,10 +28,6 @@ constexpr double kSpeedWindow_s = 0.05;
 constexpr double kNoiseSmoothing_s = 0.04;
 // Toes that dip below the floor and feet in the air do not decide how high the floor is.
 constexpr double kNearGround_m = 0.12;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // One point of one foot over time.
 struct Track {

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "core/body/two_bone_ik.h"
 #include "core/retarget/limb.h"
 #include "core/retarget/smoothing.h"
@@ -20,16 +21,8 @@ constexpr double kHeld_m = 0.20, kLoose_m = 0.30;
 constexpr double kHeldWhenGuessed_m = 0.35, kLooseWhenGuessed_m = 0.50, kMostWhenGuessed_m = 0.10;
 constexpr double kLongEnough_s = 0.5;
 constexpr double kFlank_s = 0.15;
-// Elbows lock suddenly: an arm is stretched no further than this, or than the coach stretches his, unless it
-// must.
-constexpr double kComfortableReach = 0.985;
-constexpr double kFullReach = 0.9999;
 constexpr double kYieldSmoothing_s = 0.04;
 constexpr double kMostCollarTurn = radians_from_degrees(12);
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Zeroes the stretches in which the hands are not together for long; a shorter motion may be all grip.
 void drop_short_meetings(std::vector<double>& weights, std::span<const MediaTime> times) {

@@ -6,8 +6,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/base/index.h"
 #include "core/body/two_bone_ik.h"
 #include "core/retarget/limb.h"
+#include "core/retarget/smoothing.h"
 #include "core/retarget/t_pose.h"
 
 namespace posecoach {
@@ -18,15 +20,6 @@ constexpr double kGive = radians_from_degrees(5);
 // A bend beyond this is rather one whose hinge is spun otherwise than it seems.
 constexpr double kUnlikelyFrom = radians_from_degrees(30), kUnlikelyTo = radians_from_degrees(80);
 constexpr double kNoLength = 1e-9;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-double smooth_step(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 struct Hinge {
   Limb limb;

@@ -2,14 +2,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
+
 namespace posecoach {
 namespace {
 
 using enum HumanoidJoint;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Result<void> check_complete(const Skeleton& skeleton, const char* whose) {
   std::string missing;

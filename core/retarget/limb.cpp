@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "core/body/two_bone_ik.h"
 #include "core/retarget/smoothing.h"
 #include "core/retarget/t_pose.h"
@@ -14,15 +15,6 @@ namespace {
 using enum HumanoidJoint;
 
 constexpr double kBendSmoothing_s = 0.12;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-double smooth_step(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 // The middle joint's way off the line from root to end.
 Vec3 bend_of(const Vec3& root, const Vec3& middle, const Vec3& end) {

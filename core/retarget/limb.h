@@ -19,6 +19,10 @@ Limb right_arm(const Skeleton& skeleton);
 Limb left_leg(const Skeleton& skeleton);
 Limb right_leg(const Skeleton& skeleton);
 
+// Elbows and knees lock suddenly: a limb is stretched no further than is comfortable, or than the coach
+// stretches his. An arm that must reaches to the full; for a leg the hips give way.
+inline constexpr double kComfortableReach = 0.985, kFullReach = 0.9999;  // of its length
+
 // The distance from root to end over the limb's full length, in a frame: 1 is straight.
 double stretch(const Motion& motion, int frame, const Limb& limb);
 

@@ -1,17 +1,11 @@
 #include "core/retarget/posed_motion.h"
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/forward_kinematics.h"
 #include "core/retarget/rotation_recovery.h"
 
 namespace posecoach {
-namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 PosedMotion::PosedMotion(const Motion& motion)
     : skeleton_(motion.skeleton()), times_(motion.times().begin(), motion.times().end()) {

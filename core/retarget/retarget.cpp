@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/retarget/carry.h"
 #include "core/retarget/doubt.h"
 #include "core/retarget/feet.h"
@@ -17,10 +18,6 @@
 
 namespace posecoach {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Joints that the coach lacks are carried by the turned body.
 Motion scaled_motion(const Motion& coach, const Motion& turned, const JointMapping& mapping) {

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/forward_kinematics.h"
 #include "core/body/two_bone_ik.h"
 
@@ -12,10 +13,6 @@ namespace posecoach {
 namespace {
 
 constexpr double kNoLength = 1e-9;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // The eigenvector of the largest eigenvalue of a symmetric 4x4 matrix, by Jacobi rotations.
 std::array<double, 4> dominant_eigenvector(std::array<std::array<double, 4>, 4> a) {

@@ -1,5 +1,6 @@
 #include "core/retarget/smoothing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/assert.h"
@@ -31,6 +32,11 @@ std::vector<Vec3> smoothed_over_time(std::span<const Vec3> values, std::span<con
     result[i] /= weights;
   }
   return result;
+}
+
+double smooth_step(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
 }
 
 }  // namespace posecoach

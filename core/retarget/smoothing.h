@@ -18,4 +18,7 @@ std::pair<std::size_t, std::size_t> frames_within(std::span<const MediaTime> tim
 std::vector<Vec3> smoothed_over_time(std::span<const Vec3> values, std::span<const MediaTime> times,
                                      double sigma_s);
 
+// From 0 at `from` to 1 at `to`, with no kink at either end.
+double smooth_step(double from, double to, double x);
+
 }  // namespace posecoach

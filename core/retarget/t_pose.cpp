@@ -4,17 +4,13 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/two_bone_ik.h"
 
 namespace posecoach {
 namespace {
 
 using enum HumanoidJoint;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Upper limbs and legs are posed by whoever made the rig: 15 degrees is beyond what differs between T-poses
 // of one convention. The other bones are anatomy: only a rest pose that is no standing body at all is

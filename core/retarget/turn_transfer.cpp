@@ -2,18 +2,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "core/body/forward_kinematics.h"
 #include "core/body/two_bone_ik.h"
 #include "core/retarget/rotation_recovery.h"
 
 namespace posecoach {
-namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 TurnTransfer::TurnTransfer(const Motion& motion, const Skeleton& body, JointMapping mapping,
                            RotationSource rotations)

@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/landmark_body.h"
 
 namespace posecoach {
 namespace {
 
 using enum HumanoidJoint;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Standard deviations for a body of 1.75 m, centimetres: constant over a clip, wandering, frame by frame.
 struct Spread {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kStarts = {"swing_", "again_", "replaced_", "purged_"};
 constexpr std::string_view kLockEnding = ".lock";
-constexpr int kTries = 20;
+constexpr int kFolderTries = 20;
 constexpr std::size_t kLongestTarget = 4096;
 
 fs::path lock_of(const fs::path& folder) {
@@ -92,7 +92,7 @@ Result<DraftFolder> DraftFolder::reserve(Disk& disk, const fs::path& parent, Dra
                                          std::string_view target) {
   if (const Result<void> made = make_folders(disk, parent); !made) return tl::unexpected(made.error());
   const std::string start(kStarts[static_cast<std::size_t>(kind)]);
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kFolderTries; ++i) {
     const fs::path path =
         parent / (start + clock_of(wall_time_now()) + "_" + random_letters() + random_letters());
     const fs::path lock = lock_of(path);

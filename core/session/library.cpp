@@ -4,7 +4,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 
 #include "core/base/file.h"
@@ -16,7 +15,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kIndexFile = "index.sqlite";
-constexpr std::size_t kLargestSwingFile = std::size_t{1} << 22;
 
 IndexedSwing read_for_index(const fs::path& library, const FoundSwing& found) {
   const fs::path file = shelf_folder(library, found.shelf) / found.id / kSwingFile;

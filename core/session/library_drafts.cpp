@@ -12,8 +12,7 @@ namespace posecoach {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kTries = 20;
-constexpr std::size_t kLargestSwingFile = std::size_t{1} << 22;
+constexpr int kDraftTries = 20;
 
 // What is in a draft besides swing.json, by name.
 std::vector<fs::path> contents(const fs::path& folder) {
@@ -134,7 +133,7 @@ Result<void> Library::store_facts(const fs::path& folder, const SwingFacts& fact
 // A name of its own, which no other program takes in the same moment.
 Result<Swing> Library::put_in_place(const fs::path& folder, const WallTime& recorded_at) {
   const fs::path day = folder_ / day_of(recorded_at);
-  for (int attempt = 0; attempt < kTries; ++attempt) {
+  for (int attempt = 0; attempt < kDraftTries; ++attempt) {
     if (const Result<void> made = make_folders(disk_, day); !made) return tl::unexpected(made.error());
     const fs::path place = day / ("swing_" + clock_of(recorded_at) + "_" + random_letters());
     if (disk_.rename_to_new(folder.c_str(), place.c_str()) == 0) {

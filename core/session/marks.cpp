@@ -10,7 +10,7 @@
 namespace posecoach {
 namespace {
 
-constexpr std::string_view kSchemaName = "marks";
+constexpr std::string_view kMarksSchema = "marks";
 constexpr int kNewest = 1;
 constexpr std::size_t kLargestFile = std::size_t{1} << 22;
 
@@ -57,7 +57,7 @@ double angle_deg(const Drawing& drawing) {
 Result<Marks> marks_from_json(std::string_view file_name, std::string_view text) {
   const Result<PlainJson> json = parse_plain_json(file_name, text);
   if (!json) return tl::unexpected(json.error());
-  if (const Result<int> version = schema_version(*json, kSchemaName, kNewest, file_name); !version)
+  if (const Result<int> version = schema_version(*json, kMarksSchema, kNewest, file_name); !version)
     return tl::unexpected(version.error());
   Marks marks;
   if (const PlainJson* const events = list_in(*json, "events"))

@@ -10,7 +10,7 @@ namespace posecoach {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kSchema = "posecoach.person/1";
+constexpr const char* kPersonSchema = "posecoach.person/1";
 constexpr const char* kProfile = "person.json";
 constexpr const char* kBody = "body.json";
 constexpr double kShortest_m = 0.5, kTallest_m = 2.6, kKindest = 0.5, kHardest = 2;
@@ -53,7 +53,7 @@ Result<void> check(const Person& person) {
 }
 
 void put(PlainJson& json, const Person& person) {
-  json["schema"] = kSchema;
+  json["schema"] = kPersonSchema;
   json["name"] = person.name;
   if (person.hand)
     json["hand"] = *person.hand == Handedness::Left ? "left" : "right";

@@ -1,14 +1,12 @@
 #include "core/session/settings.h"
 
-#include <algorithm>
-
 #include "core/base/json_text.h"
 #include "core/session/plain_json.h"
 
 namespace posecoach {
 namespace {
 
-constexpr const char* kSchema = "posecoach.settings/1";
+constexpr const char* kSettingsSchema = "posecoach.settings/1";
 constexpr double kSlowest = 0.125, kFastest = 2, kLargestScale = 4;
 
 std::string number_words(double number) {
@@ -59,7 +57,7 @@ LoadedSettings settings_from(const PlainJson& json, const std::string& file) {
 }
 
 void put(PlainJson& json, const Settings& settings) {
-  if (!json.contains("schema")) json["schema"] = kSchema;
+  if (!json.contains("schema")) json["schema"] = kSettingsSchema;
   PlainJson& camera = json["camera"];
   if (!camera.is_object()) camera = PlainJson::object();
   camera["stable_path"] = settings.camera.stable_path;

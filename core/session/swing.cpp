@@ -7,9 +7,8 @@ namespace posecoach {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kSchemaName = "swing";
+constexpr const char* kSwingSchema = "swing";
 constexpr int kNewest = 1;
-constexpr std::size_t kLargestBytes = std::size_t{1} << 22;
 
 void read_counters(PlainFields& fields, RecordingCounters& counters) {
   fields.read("captured", counters.captured);
@@ -96,7 +95,7 @@ Result<Swing> swing_from_json(const fs::path& folder, std::string_view text) {
   const std::string file = (folder / kSwingFile).string();
   const Result<PlainJson> json = parse_plain_json(file, text);
   if (!json) return tl::unexpected(json.error());
-  if (const Result<int> version = schema_version(*json, kSchemaName, kNewest, file); !version)
+  if (const Result<int> version = schema_version(*json, kSwingSchema, kNewest, file); !version)
     return tl::unexpected(version.error());
   Swing swing;
   swing.folder = folder;
@@ -122,7 +121,7 @@ Result<Swing> swing_from_json(const fs::path& folder, std::string_view text) {
 }
 
 Result<Swing> read_swing(const fs::path& folder) {
-  const Result<std::string> text = read_file(folder / kSwingFile, kLargestBytes);
+  const Result<std::string> text = read_file(folder / kSwingFile, kLargestSwingFile);
   if (!text) return tl::unexpected(text.error());
   return swing_from_json(folder, *text);
 }
@@ -131,7 +130,7 @@ std::string swing_to_json(const Swing& swing, std::string_view old_text) {
   PlainJson json = PlainJson::object();
   if (!old_text.empty())
     if (Result<PlainJson> old = parse_plain_json(kSwingFile, old_text)) json = *std::move(old);
-  json["schema"] = "posecoach." + std::string(kSchemaName) + "/" + std::to_string(kNewest);
+  json["schema"] = "posecoach." + std::string(kSwingSchema) + "/" + std::to_string(kNewest);
   put(json, swing.facts);
   PlainJson files = PlainJson::object();
   for (const auto& [name, stored] : swing.files)

@@ -71,6 +71,7 @@ struct Swing {
 };
 
 inline constexpr const char* kSwingFile = "swing.json";
+inline constexpr std::size_t kLargestSwingFile = std::size_t{1} << 22;  // bytes
 
 // Errors: those of files; Malformed with file and line; Unsupported (made by a newer version).
 Result<Swing> read_swing(const std::filesystem::path& folder);

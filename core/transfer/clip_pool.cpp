@@ -1,9 +1,9 @@
 #include "core/transfer/clip_pool.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/median.h"
 
 namespace posecoach {
 namespace {
@@ -37,9 +37,7 @@ Result<PoseClip> make_pose_clip(std::string name, const Motion& motion) {
   for (std::size_t b = 0; b < kBone2dCount; ++b) {
     std::vector<double> lengths;
     for (const Pose3d& pose : clip.poses) lengths.push_back(bone_lengths(pose)[b]);
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    clip.lengths[b] = *middle;
+    clip.lengths[b] = median(std::move(lengths));
   }
   return clip;
 }

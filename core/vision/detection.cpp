@@ -8,7 +8,6 @@
 namespace posecoach {
 namespace {
 
-constexpr double kInputSize = 224;
 constexpr double kLeastScore = 0.5;
 constexpr double kLeastOverlap = 0.3;
 
@@ -53,7 +52,7 @@ std::vector<Detection> decode_detections(std::span<const float> boxes, std::span
     const double score = logistic(std::clamp(static_cast<double>(scores[i]), -100.0, 100.0));
     if (!(score >= kLeastScore)) continue;
     const auto pair = [&](std::size_t k) {
-      return Vec2(boxes[i * kBoxNumbers + k], boxes[i * kBoxNumbers + k + 1]) / kInputSize;
+      return Vec2(boxes[i * kBoxNumbers + k], boxes[i * kBoxNumbers + k + 1]) / double{kDetectorInputSize};
     };
     Detection detection;
     detection.score = score;

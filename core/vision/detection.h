@@ -19,6 +19,7 @@ struct Detection {
   std::array<Vec2, 4> points;
 };
 
+inline constexpr int kDetectorInputSize = 224;  // pixels, a square
 inline constexpr std::size_t kAnchorCount = 2254;
 inline constexpr std::size_t kBoxNumbers = 12;  // of one anchor: box centre and size, four points
 

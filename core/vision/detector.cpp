@@ -6,14 +6,13 @@
 namespace posecoach {
 namespace {
 
-constexpr int kInputSize = 224;
 constexpr int kAnchors = static_cast<int>(kAnchorCount);
 
 }  // namespace
 
 Result<Detector> Detector::load(const std::filesystem::path& file) {
   auto network = load_network(
-      file, {1, kInputSize, kInputSize, 3},
+      file, {1, kDetectorInputSize, kDetectorInputSize, 3},
       {{"Identity", {1, kAnchors, static_cast<int>(kBoxNumbers)}}, {"Identity_1", {1, kAnchors, 1}}});
   if (!network) return tl::unexpected(network.error());
   return Detector(std::move(*network));
@@ -21,8 +20,8 @@ Result<Detector> Detector::load(const std::filesystem::path& file) {
 
 Result<std::vector<RegionOfInterest>> Detector::detect(const Image& image) {
   const Letterbox letterbox(image.width, image.height);
-  sample_square(image, letterbox.square(), kInputSize, OutsidePicture::IsBlack, {2.0F / 255.0F, -1.0F},
-                network_.input());
+  sample_square(image, letterbox.square(), kDetectorInputSize, OutsidePicture::IsBlack,
+                {2.0F / 255.0F, -1.0F}, network_.input());
   if (const auto ran = network_.run(); !ran) return tl::unexpected(ran.error());
   std::vector<RegionOfInterest> regions;
   for (const Detection& person :

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/index.h"
 #include "ui/panels/common_panels.h"
 #include "ui/panels/review_events.h"
 #include "ui/panels/review_panels.h"
@@ -11,10 +12,6 @@ namespace posecoach {
 namespace {
 
 constexpr double kPad = 14;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string event_words(const Analysis& analysis, int picture) {
   const std::string phase = student_phase(analysis, picture);

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
+#include "core/base/median.h"
 
 namespace posecoach {
 namespace {
@@ -16,10 +18,6 @@ using enum HumanoidJoint;
 constexpr double kStandsStill_m = 0.10;
 constexpr double kWalksAway_m = 0.25;
 constexpr double kSmoothing_s = 0.35;  // standard deviation
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Feet {
   Vec2 middle;        // x, z
@@ -41,13 +39,6 @@ std::optional<Feet> feet_of(const Skeleton& skeleton, std::span<const Vec3> posi
   if (count < 1) return std::nullopt;
   feet.middle /= count;
   return feet;
-}
-
-double median(std::vector<double> values) {
-  POSECOACH_ASSERT(!values.empty());
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // Gaussian in time; frames may be unevenly spaced.

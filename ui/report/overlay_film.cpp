@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "ui/render/words.h"
 
 namespace posecoach {
@@ -11,10 +12,6 @@ namespace {
 
 constexpr double kStillHeight_px = 560;
 constexpr double kDrawingStays_s = 0.5;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // What was drawn by hand, in pixels of this picture.
 void add_drawing(Scene& scene, const Drawing& drawing, const Vec2& factor, int height_px) {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "ui/render/coach_placement.h"
 #include "ui/report/stills.h"
 
@@ -27,10 +28,6 @@ const std::vector<std::vector<HumanoidJoint>> kChains = {
 };
 
 constexpr double kSpeedWindow_s = 0.12;  // on either side
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int position_of(std::vector<HumanoidJoint>& joints, HumanoidJoint role) {
   const auto found = std::find(joints.begin(), joints.end(), role);

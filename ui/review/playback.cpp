@@ -4,14 +4,13 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/base/index.h"
+#include "core/base/median.h"
+
 namespace posecoach {
 namespace {
 
 constexpr int kFastestShuttle = 4;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int clamped(int frame, int count) {
   return count > 0 ? std::clamp(frame, 0, count - 1) : 0;
@@ -119,9 +118,7 @@ double FilmMarks::last_stays_s() const {
   if (count() < 2) return kLone_s;
   std::vector<double> durations;
   for (std::size_t i = 1; i < times_s.size(); ++i) durations.push_back(times_s[i] - times_s[i - 1]);
-  const auto middle = durations.begin() + static_cast<std::ptrdiff_t>(durations.size() / 2);
-  std::nth_element(durations.begin(), middle, durations.end());
-  return *middle;
+  return median(std::move(durations));
 }
 
 Part Playback::part(int count) const {

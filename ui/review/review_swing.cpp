@@ -4,16 +4,13 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "ui/review/find_golfer.h"
 
 namespace posecoach {
 namespace {
 
 constexpr int kReplaySteps = 240;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Tempo tempo_of(double speed) {
   if (speed > 1.5) return Tempo::MuchFaster;

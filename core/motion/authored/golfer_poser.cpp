@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/two_bone_ik.h"
 
 namespace posecoach {
@@ -13,10 +13,6 @@ namespace {
 using enum GolfChannel;
 
 const Vec3 kUp(0, 1, 0);
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Quat about_up(double degrees) {
   return glm::angleAxis(radians_from_degrees(degrees), kUp);
@@ -69,16 +65,16 @@ void turn_limb(const Limb& limb, const Vec3& root, const TwoBoneSolution& soluti
   const Vec3 lower = glm::normalize(solution.end - solution.middle);
   const Vec3 straight = glm::normalize(solution.end - root);
   Vec3 bend = (solution.middle - root) - straight * glm::dot(straight, solution.middle - root);
-  if (glm::length(bend) < 1e-9) bend = global[at(limb.upper)] * limb.bend_rest;
-  global[at(limb.upper)] = rotation_between(axes(limb.upper_rest, limb.bend_rest), axes(upper, bend));
-  global[at(limb.middle)] = rotation_between(axes(limb.lower_rest, limb.bend_rest), axes(lower, bend));
+  if (glm::length(bend) < 1e-9) bend = global[index(limb.upper)] * limb.bend_rest;
+  global[index(limb.upper)] = rotation_between(axes(limb.upper_rest, limb.bend_rest), axes(upper, bend));
+  global[index(limb.middle)] = rotation_between(axes(limb.lower_rest, limb.bend_rest), axes(lower, bend));
 }
 
 // Joints that nothing turned follow their parent.
 void inherit(const Skeleton& skeleton, const std::vector<bool>& set, std::vector<Quat>& global) {
   for (int i = 0; i < skeleton.size(); ++i)
-    if (!set[at(i)] && skeleton.joint(i).parent != kNoJoint)
-      global[at(i)] = global[at(skeleton.joint(i).parent)];
+    if (!set[index(i)] && skeleton.joint(i).parent != kNoJoint)
+      global[index(i)] = global[index(skeleton.joint(i).parent)];
 }
 
 }  // namespace
@@ -92,7 +88,7 @@ struct GolferPoser::Torso {
 struct GolferPoser::Grip {
   Vec3 point, shaft, face, normal;  // unit axes of the club
   Vec3 wrist(int side) const {
-    const auto& offset = kWristFromGrip[at(side)];
+    const auto& offset = kWristFromGrip[index(side)];
     return point + shaft * offset[0] + face * offset[1] + normal * offset[2];
   }
 };
@@ -120,20 +116,20 @@ Vec3 GolferPoser::planted_ankle(int side) const {
 GolferPoser::Foot GolferPoser::foot(int side, const GolfPose& numbers) const {
   const bool lead = side == GolferBody::Lead;
   const double flare = lead ? stance_.lead_flare_deg : -stance_.trail_flare_deg;
-  const Vec3 ball_of_toes = planted_ankle(side) + about_up(flare) * body_.ankle_to_toe[at(side)];
+  const Vec3 ball_of_toes = planted_ankle(side) + about_up(flare) * body_.ankle_to_toe[index(side)];
   const double spin = lead ? 0.0 : numbers[TrailFootSpin], lift = lead ? 0.0 : numbers[TrailHeelLift];
   Foot foot;
   foot.toes = about_up(flare + spin);
   foot.foot = foot.toes * glm::angleAxis(radians_from_degrees(lift), Vec3(1, 0, 0));
-  foot.ankle = ball_of_toes - foot.foot * body_.ankle_to_toe[at(side)];
+  foot.ankle = ball_of_toes - foot.foot * body_.ankle_to_toe[index(side)];
   return foot;
 }
 
 double GolferPoser::address_hips_height() const {
   const Limb& leg = body_.legs[GolferBody::Lead];
   const double reach = leg.reach(radians_from_degrees(stance_.knee_flex_deg));
-  const Vec3 hip = body_.skeleton.rest_positions()[at(leg.upper)];
-  const Vec3 other = body_.skeleton.rest_positions()[at(body_.legs[GolferBody::Trail].upper)];
+  const Vec3 hip = body_.skeleton.rest_positions()[index(leg.upper)];
+  const Vec3 other = body_.skeleton.rest_positions()[index(body_.legs[GolferBody::Trail].upper)];
   const double sideways = planted_ankle(GolferBody::Lead).x - 0.5 * std::abs(hip.x - other.x);
   const double back = stance_.hips_back_cm / 100 * body_.size;
   return body_.ankle_height + std::sqrt(std::max(0.01, reach * reach - sideways * sideways - back * back));
@@ -146,18 +142,18 @@ GolferPoser::Torso GolferPoser::place_torso(const GolfPose& numbers) const {
   const Quat chest =
       segment_rotation(numbers[ChestTurn], numbers[ChestBend] + bend_offset_deg_, numbers[ChestSide]);
   Torso torso;
-  torso.global.assign(at(skeleton.size()), Quat(1, 0, 0, 0));
-  std::vector<bool> set(at(skeleton.size()), false);
+  torso.global.assign(index(skeleton.size()), Quat(1, 0, 0, 0));
+  std::vector<bool> set(index(skeleton.size()), false);
   const auto turn = [&](int joint, const Quat& rotation) {
-    torso.global[at(joint)] = rotation;
-    set[at(joint)] = true;
+    torso.global[index(joint)] = rotation;
+    set[index(joint)] = true;
   };
   turn(body_.pelvis, pelvis);
   for (std::size_t i = 0; i < body_.back.size(); ++i)
     turn(body_.back[i],
          glm::slerp(pelvis, chest, static_cast<double>(i + 1) / static_cast<double>(body_.back.size())));
   for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
-    const int clavicle = body_.clavicles[at(side)];
+    const int clavicle = body_.clavicles[index(side)];
     if (clavicle == kNoJoint) continue;
     const bool lead = side == GolferBody::Lead;
     const double sign = lead ? 1 : -1;
@@ -175,10 +171,10 @@ GolferPoser::Torso GolferPoser::place_torso(const GolfPose& numbers) const {
       (numbers[PelvisThrust] - stance_.hips_back_cm) * scale};
   // Both feet must stay in reach.
   for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
-    const Limb& leg = body_.legs[at(side)];
+    const Limb& leg = body_.legs[index(side)];
     const Vec3 hip_from_middle =
-        pelvis * (skeleton.rest_positions()[at(leg.upper)] - skeleton.rest_positions()[at(body_.pelvis)] -
-                  body_.middle_of_hips_from_pelvis);
+        pelvis * (skeleton.rest_positions()[index(leg.upper)] -
+                  skeleton.rest_positions()[index(body_.pelvis)] - body_.middle_of_hips_from_pelvis);
     const Vec3 ankle = foot(side, numbers).ankle;
     const Vec3 hip = torso.middle_of_hips + hip_from_middle;
     const double reach = leg.reach(kStraightestKnee);
@@ -188,19 +184,19 @@ GolferPoser::Torso GolferPoser::place_torso(const GolfPose& numbers) const {
   }
 
   const Vec3 pelvis_position = torso.middle_of_hips - pelvis * body_.middle_of_hips_from_pelvis;
-  torso.positions.resize(at(skeleton.size()));
+  torso.positions.resize(index(skeleton.size()));
   joint_positions(skeleton, Vec3(0), torso.global, torso.positions);
-  const Vec3 shift = pelvis_position - torso.positions[at(body_.pelvis)];
+  const Vec3 shift = pelvis_position - torso.positions[index(body_.pelvis)];
   for (Vec3& position : torso.positions) position += shift;
   return torso;
 }
 
 void GolferPoser::place_head(const GolfPose& numbers, std::vector<Quat>& global) const {
-  const Quat chest = global[at(body_.chest)];
+  const Quat chest = global[index(body_.chest)];
   const Quat head =
       segment_rotation(numbers[HeadTurn], numbers[HeadBend] + 0.5 * bend_offset_deg_, numbers[HeadSide]);
   for (std::size_t i = 0; i < body_.neck.size(); ++i)
-    global[at(body_.neck[i])] =
+    global[index(body_.neck[i])] =
         glm::slerp(chest, head, static_cast<double>(i + 1) / static_cast<double>(body_.neck.size()));
 }
 
@@ -226,11 +222,11 @@ GolferPoser::Grip GolferPoser::place_grip(const GolfPose& numbers,
   grip.face = aim * (along_arc * std::cos(roll) - plane_normal * std::sin(roll));
   double reach = 1e9;
   for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
-    const Limb& arm = body_.arms[at(side)];
+    const Limb& arm = body_.arms[index(side)];
     const double flexion = radians_from_degrees(numbers[side == GolferBody::Lead ? LeadElbow : TrailElbow]);
     const Vec3 wrist_offset = grip.wrist(side) - grip.point;
     const double distance =
-        distance_to_sphere(hub, to_hands, shoulders[at(side)] - wrist_offset, arm.reach(flexion));
+        distance_to_sphere(hub, to_hands, shoulders[index(side)] - wrist_offset, arm.reach(flexion));
     reach = side == GolferBody::Lead ? distance : soft_minimum(reach, distance, 0.006 * body_.size);
   }
   grip.point = hub + to_hands * reach;
@@ -240,21 +236,22 @@ GolferPoser::Grip GolferPoser::place_grip(const GolfPose& numbers,
 double GolferPoser::place_arms(const GolfPose& numbers, const Grip& grip,
                                const std::array<Vec3, 2>& shoulders, std::vector<Quat>& global) const {
   double deficit = 0;
-  const Quat chest = global[at(body_.chest)];
+  const Quat chest = global[index(body_.chest)];
   for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
     const bool lead = side == GolferBody::Lead;
-    const Limb& arm = body_.arms[at(side)];
+    const Limb& arm = body_.arms[index(side)];
     const double out = numbers[lead ? LeadElbowOut : TrailElbowOut];
     const Vec3 points_to = chest * Vec3(lead ? out : -out, -numbers[lead ? LeadElbowDown : TrailElbowDown],
                                         -numbers[lead ? LeadElbowBack : TrailElbowBack]);
     const Vec3 wrist = grip.wrist(side);
-    const TwoBoneSolution solution = solve_two_bones(
-        shoulders[at(side)], wrist, shoulders[at(side)] + points_to, arm.upper_length, arm.lower_length);
+    const TwoBoneSolution solution =
+        solve_two_bones(shoulders[index(side)], wrist, shoulders[index(side)] + points_to, arm.upper_length,
+                        arm.lower_length);
     deficit = std::max(deficit, solution.deficit);
-    turn_limb(arm, shoulders[at(side)], solution, global);
+    turn_limb(arm, shoulders[index(side)], solution, global);
     // The hand lies across the grip with the thumb down the shaft.
-    const Vec3 fingers = glm::normalize(grip.point + grip.shaft * kHandFromGrip[at(side)] - wrist);
-    global[at(arm.end)] =
+    const Vec3 fingers = glm::normalize(grip.point + grip.shaft * kHandFromGrip[index(side)] - wrist);
+    global[index(arm.end)] =
         rotation_between(axes(Vec3(lead ? 1 : -1, 0, 0), Vec3(0, 0, 1)), axes(fingers, grip.shaft));
   }
   return deficit;
@@ -264,16 +261,16 @@ double GolferPoser::place_legs(const GolfPose& numbers, const std::array<Vec3, 2
                                std::vector<Quat>& global) const {
   double deficit = 0;
   for (const int side : {GolferBody::Lead, GolferBody::Trail}) {
-    const Limb& leg = body_.legs[at(side)];
+    const Limb& leg = body_.legs[index(side)];
     const Foot planted = foot(side, numbers);
     const Vec3 forward =
         about_up(numbers[side == GolferBody::Lead ? LeadKneeYaw : TrailKneeYaw]) * Vec3(0, 0, 1);
-    const TwoBoneSolution solution = solve_two_bones(hips[at(side)], planted.ankle, hips[at(side)] + forward,
-                                                     leg.upper_length, leg.lower_length);
+    const TwoBoneSolution solution = solve_two_bones(
+        hips[index(side)], planted.ankle, hips[index(side)] + forward, leg.upper_length, leg.lower_length);
     deficit = std::max(deficit, solution.deficit);
-    turn_limb(leg, hips[at(side)], solution, global);
-    global[at(leg.end)] = planted.foot;
-    if (body_.toes[at(side)] != kNoJoint) global[at(body_.toes[at(side)])] = planted.toes;
+    turn_limb(leg, hips[index(side)], solution, global);
+    global[index(leg.end)] = planted.foot;
+    if (body_.toes[index(side)] != kNoJoint) global[index(body_.toes[index(side)])] = planted.toes;
   }
   return deficit;
 }
@@ -282,7 +279,7 @@ GolferPose GolferPoser::pose(const GolfPose& numbers) const {
   const Skeleton& skeleton = body_.skeleton;
   Torso torso = place_torso(numbers);
   const auto pair = [&](const std::array<Limb, 2>& limbs) {
-    return std::array{torso.positions[at(limbs[0].upper)], torso.positions[at(limbs[1].upper)]};
+    return std::array{torso.positions[index(limbs[0].upper)], torso.positions[index(limbs[1].upper)]};
   };
   const std::array<Vec3, 2> shoulders = pair(body_.arms), hips = pair(body_.legs);
   std::vector<Quat>& global = torso.global;
@@ -292,15 +289,15 @@ GolferPose GolferPoser::pose(const GolfPose& numbers) const {
   GolferPose golfer;
   golfer.deficit_m = place_arms(numbers, grip, shoulders, global);
   golfer.deficit_m = std::max(golfer.deficit_m, place_legs(numbers, hips, global));
-  std::vector<bool> set(at(skeleton.size()), false);
-  set[at(body_.pelvis)] = true;
+  std::vector<bool> set(index(skeleton.size()), false);
+  set[index(body_.pelvis)] = true;
   for (const auto* joints : {&body_.back, &body_.neck})
-    for (const int joint : *joints) set[at(joint)] = true;
+    for (const int joint : *joints) set[index(joint)] = true;
   for (const int side : {0, 1}) {
-    for (const Limb* limb : {&body_.arms[at(side)], &body_.legs[at(side)]})
-      for (const int joint : {limb->upper, limb->middle, limb->end}) set[at(joint)] = true;
-    for (const int joint : {body_.clavicles[at(side)], body_.toes[at(side)]})
-      if (joint != kNoJoint) set[at(joint)] = true;
+    for (const Limb* limb : {&body_.arms[index(side)], &body_.legs[index(side)]})
+      for (const int joint : {limb->upper, limb->middle, limb->end}) set[index(joint)] = true;
+    for (const int joint : {body_.clavicles[index(side)], body_.toes[index(side)]})
+      if (joint != kNoJoint) set[index(joint)] = true;
   }
   inherit(skeleton, set, global);
   golfer.pose.root_position = torso.positions[0];

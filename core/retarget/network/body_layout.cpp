@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/landmark_body.h"
 #include "core/body/mirror.h"
 
@@ -11,10 +12,6 @@ namespace {
 
 using enum HumanoidJoint;
 using Segments = std::vector<BodySegment>;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class LayoutBuilder {
  public:

@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <memory>
 
-#include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/forward_kinematics.h"
 #include "core/retarget/doubt.h"
 #include "core/retarget/learned.h"
@@ -17,10 +17,6 @@
 
 namespace posecoach {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Result<CorrectionNetwork> load_network() {
   const Result<WeightsFile> file = read_weights(shipped_network_weights(), "retarget-network.pt");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "core/retarget/doubt.h"
 #include "core/retarget/network/turn_clip.h"
 #include "core/retarget/rotation_recovery.h"
@@ -13,10 +14,6 @@ namespace posecoach {
 namespace {
 
 using enum HumanoidJoint;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // The nearest joint further up that has a role: bones are seen from there, whatever hangs in between.
 int carrier_of(const Skeleton& skeleton, int joint) {

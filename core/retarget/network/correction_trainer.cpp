@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/landmark_body.h"
 #include "core/retarget/doubt.h"
 #include "core/retarget/network/paper_trainer.h"
@@ -21,10 +22,6 @@ constexpr double kAverageKeep = 0.995;
 constexpr double kJitterWeight = 0.12;
 // A student's bones are measured, not known.
 constexpr double kMeasuringError = 0.03;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // The clip on a body as the pose stage's landmarks would be, if they were exact.
 Motion landmark_motion(const RoleBody& body, const TurnClip& clip, std::mt19937_64& random) {

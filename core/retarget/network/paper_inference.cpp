@@ -6,6 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/file.h"
+#include "core/base/index.h"
 #include "core/retarget/carry.h"
 #include "core/retarget/joint_mapping.h"
 #include "core/retarget/learned.h"
@@ -22,10 +23,6 @@ namespace {
 using enum HumanoidJoint;
 
 constexpr int kShortest = 16;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // A skeleton's joints as those of its layout.
 class LayoutBody {

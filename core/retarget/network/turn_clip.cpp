@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "core/base/assert.h"
+#include "core/base/index.h"
 #include "core/body/mirror.h"
 #include "core/body/standard_body.h"
 #include "core/retarget/root_path.h"
@@ -19,10 +19,6 @@ using enum HumanoidJoint;
 
 constexpr double kHeadingSigmaFrames = 5;
 constexpr double kSlowPathSigmaFrames = 45;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void add_what_the_network_does_not_see(std::vector<TurnFrame>& frames) {
   std::vector<Vec3> across, path;

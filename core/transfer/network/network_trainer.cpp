@@ -8,7 +8,6 @@ namespace {
 constexpr std::size_t kBatch = 128;
 constexpr double kLearningRate = 1e-3;
 constexpr double kLargestGradient = 1.0;
-constexpr double kAverageKeeps = 0.999;
 constexpr double kLengthWeight = 0.15, kBoneWeight = 0.5, kErrorWeight = 0.1, kTouchWeight = 0.02;
 
 // What detectors do to real pictures, in fractions of stature.
@@ -64,8 +63,7 @@ class NetworkTrainee : public TransferTrainee {
         .backward();
     torch::nn::utils::clip_grad_norm_(network_->parameters(), kLargestGradient);
     rule_->step();
-    move_transfer_average(*average_, *network_,
-                          std::min(kAverageKeeps, double(iteration + 1) / double(iteration + 10)));
+    move_transfer_average(*average_, *network_, transfer_average_keeps(iteration));
     return {joint_loss.item<double>(), bone_loss.item<double>(), length_loss.item<double>(),
             touch_loss.item<double>()};
   }

@@ -7,14 +7,13 @@ namespace posecoach {
 namespace {
 
 // The paper's settings.
-constexpr int64_t kBatch = 64;
+constexpr int64_t kPaperBatch = 64;
 constexpr double kFeatureWeight = 1, kSameWeight = 0.5, kLinkWeight = 300, kAngleWeight = 2;
 constexpr double kSigma = 0.05;
-constexpr double kLearningRate = 1e-4;
+constexpr double kPaperLearningRate = 1e-4;
 // FUNIT's 10 is for pictures of thousands of numbers; on 30 it leaves the discriminator no slope to tell bone
 // lengths by.
 constexpr double kGradientPenalty = 0.01;
-constexpr double kAverageKeeps = 0.999;
 // The ranking loss is about log 2 where the virtual link loss is zero; at the same weight it would drown the
 // rest.
 constexpr double kRankingWeight = 2;
@@ -44,7 +43,7 @@ class PaperTrainee : public TransferTrainee {
     average_ = std::make_shared<PaperTransferGenerator>();
     move_transfer_average(*average_, *generator_, 0);
     discriminator_ = std::make_shared<PaperTransferDiscriminator>(static_cast<int64_t>(kIdentities));
-    const auto options = torch::optim::RMSpropOptions(kLearningRate).weight_decay(1e-4);
+    const auto options = torch::optim::RMSpropOptions(kPaperLearningRate).weight_decay(1e-4);
     generator_rule_ = std::make_unique<torch::optim::RMSprop>(generator_->parameters(), options);
     discriminator_rule_ = std::make_unique<torch::optim::RMSprop>(discriminator_->parameters(), options);
   }
@@ -85,15 +84,14 @@ class PaperTrainee : public TransferTrainee {
     const torch::Tensor adversarial = -answer.score.mean();
     const torch::Tensor features = (answer.features - wanted).abs().mean();
     // Equation 3: the first half of the batch is of one person, the second of two.
-    const int64_t half = kBatch / 2;
+    const int64_t half = kPaperBatch / 2;
     const torch::Tensor same =
         (result.slice(0, 0, half) - batch.poses.slice(0, 0, half)).abs().flatten(1).sum(1).mean();
     const torch::Tensor pose = pose_loss(batch.poses.slice(0, half), result.slice(0, half));
     generator_rule_->zero_grad();
     (adversarial + kFeatureWeight * features + 0.5 * kSameWeight * same + 0.5 * pose).backward();
     generator_rule_->step();
-    move_transfer_average(*average_, *generator_,
-                          std::min(kAverageKeeps, double(iteration + 1) / double(iteration + 10)));
+    move_transfer_average(*average_, *generator_, transfer_average_keeps(iteration));
     return {discriminator_loss.item<double>(), adversarial.item<double>(), features.item<double>(),
             same.item<double>(), pose.item<double>()};
   }
@@ -147,8 +145,8 @@ class PaperTrainee : public TransferTrainee {
     std::uniform_int_distribution<std::size_t> any(0, kIdentities - 1);
     std::vector<torch::Tensor> poses, pictures;
     std::vector<int64_t> identities;
-    for (int64_t i = 0; i < kBatch; ++i) {
-      const std::size_t to = any(random), from = i < kBatch / 2 ? to : any(random);
+    for (int64_t i = 0; i < kPaperBatch; ++i) {
+      const std::size_t to = any(random), from = i < kPaperBatch / 2 ? to : any(random);
       poses.push_back(picture(from, random));
       pictures.push_back(picture(to, random));
       identities.push_back(static_cast<int64_t>(to));

@@ -194,6 +194,10 @@ Result<void> read_transfer_weights(torch::nn::Module& module, std::string_view w
   }
 }
 
+double transfer_average_keeps(long iteration) {
+  return std::min(0.999, static_cast<double>(iteration + 1) / static_cast<double>(iteration + 10));
+}
+
 void move_transfer_average(torch::nn::Module& average, const torch::nn::Module& current, double keep) {
   const torch::NoGradGuard no_grad;
   const std::vector<torch::Tensor> to = average.parameters(), from = current.parameters();

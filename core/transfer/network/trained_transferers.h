@@ -29,6 +29,8 @@ Result<void> read_transfer_weights(torch::nn::Module& module, std::string_view w
 
 // `average` moves towards `current` by 1 - `keep`.
 void move_transfer_average(torch::nn::Module& average, const torch::nn::Module& current, double keep);
+// What an average of the trained weights keeps of itself in an iteration: little at first, 0.999 in the end.
+double transfer_average_keeps(long iteration);
 
 // One core, no denormal numbers; call on the thread that computes.
 void use_one_core_for_transfer();

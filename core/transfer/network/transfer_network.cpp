@@ -7,7 +7,7 @@ namespace posecoach {
 namespace {
 
 constexpr int64_t kBones = static_cast<int64_t>(kBone2dCount);
-constexpr int64_t kWidth = 256, kCode = 96, kCorrectionWidth = 384;
+constexpr int64_t kPictureWidth = 256, kCode = 96, kCorrectionWidth = 384;
 
 torch::nn::SiLU silu() {
   return torch::nn::SiLU();
@@ -47,13 +47,14 @@ void write_person(const BoneLengths2d& lengths, float* out) {
 
 TransferNetwork::TransferNetwork() {
   using torch::nn::Linear;
-  picture_ =
-      register_module("picture", torch::nn::Sequential(Linear(kPictureNumbers + kPersonNumbers, kWidth),
-                                                       silu(), Linear(kWidth, kWidth), silu()));
-  person_ = register_module("person", torch::nn::Sequential(Linear(2 * kWidth + kPersonNumbers, kWidth),
-                                                            silu(), Linear(kWidth, kCode), silu()));
-  lengths_ = register_module("lengths", torch::nn::Sequential(Linear(kCode + kPersonNumbers, kWidth), silu(),
-                                                              Linear(kWidth, kBones)));
+  picture_ = register_module(
+      "picture", torch::nn::Sequential(Linear(kPictureNumbers + kPersonNumbers, kPictureWidth), silu(),
+                                       Linear(kPictureWidth, kPictureWidth), silu()));
+  person_ = register_module(
+      "person", torch::nn::Sequential(Linear(2 * kPictureWidth + kPersonNumbers, kPictureWidth), silu(),
+                                      Linear(kPictureWidth, kCode), silu()));
+  lengths_ = register_module("lengths", torch::nn::Sequential(Linear(kCode + kPersonNumbers, kPictureWidth),
+                                                              silu(), Linear(kPictureWidth, kBones)));
   correction_ = register_module(
       "correction", torch::nn::Sequential(Linear(kPictureNumbers + 4 * kBones + 2 * kCode, kCorrectionWidth),
                                           silu(), Linear(kCorrectionWidth, kCorrectionWidth), silu()));
