@@ -18,14 +18,19 @@ function(posecoach_library)
   endif()
 endfunction()
 
+# What is tested is optimised fully; optimising the tests too takes longer than they run, most of all with sanitizers.
+set(POSECOACH_TEST_OPTIMISATION -O1)
+if(POSECOACH_SANITIZE)
+  set(POSECOACH_TEST_OPTIMISATION -O0)
+endif()
+
 function(posecoach_test)
   cmake_parse_arguments(ARG "TORCH" "NAME" "SOURCES;LIBS;LABELS" ${ARGN})
   set(target ${ARG_NAME}_test)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE ${ARG_LIBS} posecoach_test_support posecoach_warnings
     GTest::gmock GTest::gtest_main)
-  # What is tested is optimised fully; optimising the tests too takes longer than they run.
-  target_compile_options(${target} PRIVATE -O1)
+  target_compile_options(${target} PRIVATE ${POSECOACH_TEST_OPTIMISATION})
   if(NOT ARG_TORCH)
     target_precompile_headers(${target} REUSE_FROM posecoach_test_headers)
   endif()
