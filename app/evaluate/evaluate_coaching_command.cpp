@@ -73,6 +73,7 @@ void print(const std::vector<BenchRow>& rows) {
   }
 }
 
+// True joints leave no doubt, so there is no plus-minus that scores could lie within.
 void print(const std::vector<BenchAgreement>& rows) {
   if (rows.empty()) return;
   std::printf("\n%-14s %-6s %12s %12s %14s %22s\n", "through", "motion", "of two rates", "same first",
@@ -80,7 +81,8 @@ void print(const std::vector<BenchAgreement>& rows) {
   for (const BenchAgreement& row : rows)
     std::printf("%-14s %-6s %12d %12s %14s %14d of %d\n", std::string(to_string(row.eye)).c_str(),
                 row.motion.c_str(), row.pairs, percent(row.same_first, row.pairs).c_str(),
-                percent(row.scores_within, row.pairs).c_str(), row.metrics_within, row.metrics);
+                row.eye == BenchEye::TrueJoints ? "-" : percent(row.scores_within, row.pairs).c_str(),
+                row.metrics_within, row.metrics);
 }
 
 nlohmann::ordered_json json_of(const std::vector<BenchRow>& rows, const std::vector<BenchAnswer>& answers,

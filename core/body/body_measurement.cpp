@@ -16,6 +16,9 @@ constexpr double kGuessWeight = 0.02;
 // tables as the standard body.
 constexpr double kEarHeightPerStature = 0.93;
 constexpr double kHeadJointHeightPerStature = 0.87;
+// Of two sides that seem to differ: from which part of its length on a bone lies across the view, how nearly
+// as much of both has to be seen so, and how far the shorter one may span beyond its length.
+constexpr double kAcross = 0.9, kSeenAlike = 0.7, kSpanOverLength = 1.1;
 
 // Pairs of value and weight; at least one.
 double weighted_quantile(std::vector<std::pair<double, double>> values, double share) {
@@ -25,12 +28,6 @@ double weighted_quantile(std::vector<std::pair<double, double>> values, double s
   for (const auto& [value, weight] : values)
     if ((below += weight) >= share * total) return value;
   return values.back().first;
-}
-
-double total_weight(std::span<const BoneSighting> sightings) {
-  double total = 0;
-  for (const BoneSighting& sighting : sightings) total += sighting.weight;
-  return total;
 }
 
 double trust(double visibility) {
@@ -84,16 +81,42 @@ std::optional<BoneLength> measure_bone(std::span<const BoneSighting> sightings) 
   return BoneLength{length, 1.48 * weighted_quantile(std::move(lengths), 0.5)};
 }
 
+namespace {
+
+// How much of what was seen showed the bone lying across the view.
+double weight_across(std::span<const BoneSighting> sightings) {
+  double total = 0;
+  for (const BoneSighting& sighting : sightings)
+    if (sighting.across_m >= kAcross * sighting.length_m) total += sighting.weight;
+  return total;
+}
+
+// What the bone spans in the picture in the longest quarter of all looks, also of those that are hardly
+// trusted: a bone is not shorter than it looks.
+double span_across(std::span<const BoneSighting> sightings) {
+  std::vector<std::pair<double, double>> spans;
+  for (const BoneSighting& sighting : sightings) spans.emplace_back(sighting.across_m, 1);
+  return weighted_quantile(std::move(spans), 0.75);
+}
+
+bool are_seen_alike(std::span<const BoneSighting> left, std::span<const BoneSighting> right) {
+  const double one = weight_across(left), other = weight_across(right);
+  return std::min(one, other) > kSeenAlike * std::max(one, other);
+}
+
+}  // namespace
+
 std::optional<BonePair> measure_bone_pair(std::span<const BoneSighting> left,
                                           std::span<const BoneSighting> right) {
   const auto left_alone = measure_bone(left), right_alone = measure_bone(right);
   if (left_alone && right_alone) {
     const double difference = std::abs(left_alone->length_m - right_alone->length_m);
     const double mean = 0.5 * (left_alone->length_m + right_alone->length_m);
-    const double left_weight = total_weight(left), right_weight = total_weight(right);
-    const bool seen_alike = std::min(left_weight, right_weight) > 0.7 * std::max(left_weight, right_weight);
-    if (seen_alike && difference > 0.25 * mean &&
-        difference > 3 * std::max(left_alone->spread_m, right_alone->spread_m))
+    const bool is_right_shorter = right_alone->length_m < left_alone->length_m;
+    const double shorter_m = std::min(left_alone->length_m, right_alone->length_m);
+    if (difference > 0.25 * mean && difference > 3 * std::max(left_alone->spread_m, right_alone->spread_m) &&
+        are_seen_alike(left, right) &&
+        span_across(is_right_shorter ? right : left) < kSpanOverLength * shorter_m)
       return BonePair{left_alone->length_m, right_alone->length_m};
   }
   std::vector<BoneSighting> both(left.begin(), left.end());

@@ -32,9 +32,10 @@ std::optional<BoneLength> measure_bone(std::span<const BoneSighting> sightings);
 struct BonePair {
   double left_m = 0, right_m = 0;
 };
-// One length for both sides, from the sightings of both, unless both were seen equally well and differ by
-// over 25 % and by more than three times what either spreads: people are symmetric, what a camera sees of
-// them is not. A side without any weight takes the other's. Nothing when neither side was seen.
+// One length for both sides, from the sightings of both, unless both were seen equally well across the view
+// and differ by over 25 % and by more than three times what either spreads, and the shorter one never spans
+// more: people are symmetric, what a camera sees of them is not, least of all of the arm behind the trunk. A
+// side without any weight takes the other's. Nothing when neither side was seen.
 std::optional<BonePair> measure_bone_pair(std::span<const BoneSighting> left,
                                           std::span<const BoneSighting> right);
 

@@ -122,6 +122,27 @@ TEST(BodyMeasurement, a_limb_that_is_clearly_shorter_on_one_side_stays_so) {
   EXPECT_NEAR(pair->right_m, 0.40, 0.01);
 }
 
+// Down the line, the arm behind the trunk: where the model places it, it looks short and trustworthy; where
+// it spans more, the model hardly trusts itself.
+TEST(BodyMeasurement, an_arm_that_is_guessed_behind_the_trunk_is_not_shorter_than_the_other) {
+  std::mt19937 random(10);
+  std::normal_distribution<double> noise(0, 0.004);
+  std::vector<BoneSighting> seen, foreshortened, spans_more;
+  for (int i = 0; i < 100; ++i) {
+    seen.push_back({0.26 + noise(random), 0.25, 0.9});
+    foreshortened.push_back({0.18 + noise(random), 0.09, 0.8});
+    spans_more.push_back(i % 3 == 0 ? BoneSighting{0.27, 0.26, 0.005}
+                                    : BoneSighting{0.19 + noise(random), 0.185, 0.9});
+  }
+  for (const auto& guessed : {foreshortened, spans_more}) {
+    const auto pair = measure_bone_pair(guessed, seen);
+    ASSERT_TRUE(pair);
+    EXPECT_EQ(pair->left_m, pair->right_m);
+    const auto mirrored = measure_bone_pair(seen, guessed);
+    EXPECT_EQ(mirrored->left_m, mirrored->right_m);
+  }
+}
+
 TEST(BodyMeasurement, looks_that_squash_the_bone_towards_the_camera_do_not_shorten_it) {
   std::vector<BoneSighting> sightings;
   std::mt19937 random(9);
