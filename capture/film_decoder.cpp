@@ -182,7 +182,7 @@ class FilmDecoder::Implementation {
         return DecodedPicture{frame_.get(), next_time()};
       }
       if (received == AVERROR_EOF) {
-        damaged_ |= ends_early();
+        cut_off_ |= ends_early();
         return std::nullopt;
       }
       if (received != AVERROR(EAGAIN)) damaged_ = true;
@@ -191,7 +191,8 @@ class FilmDecoder::Implementation {
   }
 
   const FilmFacts& facts() const { return facts_; }
-  bool is_damaged() const { return damaged_; }
+  bool is_damaged() const { return damaged_ || cut_off_; }
+  bool is_cut_off() const { return cut_off_; }
 
  private:
   // Of a trimmed film the edit list hides pictures, often half of them; and claimed lengths are rounded.
@@ -250,7 +251,7 @@ class FilmDecoder::Implementation {
   std::size_t decoded_ = 0;
   std::size_t hidden_ = 0;
   bool at_end_ = false;
-  bool damaged_ = false;
+  bool damaged_ = false, cut_off_ = false;
 };
 
 FilmDecoder::FilmDecoder(std::unique_ptr<Implementation> implementation)
@@ -281,6 +282,10 @@ std::optional<DecodedPicture> FilmDecoder::next() {
 
 bool FilmDecoder::is_damaged() const {
   return implementation_->is_damaged();
+}
+
+bool FilmDecoder::is_cut_off() const {
+  return implementation_->is_cut_off();
 }
 
 }  // namespace posecoach

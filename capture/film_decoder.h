@@ -35,6 +35,8 @@ class FilmDecoder {
   std::optional<DecodedPicture> next();
   // Whether anything was skipped or is missing so far.
   bool is_damaged() const;
+  // Whether it ended before what it announced.
+  bool is_cut_off() const;
 
  private:
   class Implementation;

@@ -35,6 +35,12 @@ class VideoFile : public FrameSource {
     return decode();
   }
 
+  std::string damage() const override {
+    if (!decoder_->is_damaged() || count_ == 0) return {};
+    return std::filesystem::path(info_.name).filename().string() + what_is_wrong() +
+           ". Copy it from where it was recorded once more, or choose another film.";
+  }
+
  private:
   Result<std::optional<Frame>> decode() {
     const auto decoded = decoder_->next();
@@ -53,10 +59,14 @@ class VideoFile : public FrameSource {
 
   void tell_about_damage() {
     if (!decoder_->is_damaged() || count_ == 0 || std::exchange(told_, true)) return;
-    std::string message =
-        info_.name + " is damaged or cut off: " + std::to_string(count_) + " pictures were read";
-    if (info_.frame_count) message += " of " + std::to_string(*info_.frame_count);
-    log::warning(message);
+    log::warning(info_.name + what_is_wrong());
+  }
+
+  std::string what_is_wrong() const {
+    if (!decoder_->is_cut_off()) return " is damaged: some of its pictures are broken or missing";
+    std::string words = " is cut off: " + std::to_string(count_);
+    if (info_.frame_count) words += " of " + std::to_string(*info_.frame_count);
+    return words + " pictures could be read";
   }
 
   FrameSourceInfo info_;

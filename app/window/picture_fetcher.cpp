@@ -49,7 +49,8 @@ PictureFetcher::~PictureFetcher() = default;
 
 std::optional<ShownPicture> PictureFetcher::lookup(int wanted) {
   const std::lock_guard lock(mutex_);
-  if (wanted != wanted_ || !pictures_.contains(wanted)) {
+  const bool is_unreadable = unreadable_.contains(wanted);
+  if (wanted != wanted_ || (!pictures_.contains(wanted) && !is_unreadable)) {
     wanted_ = wanted;
     wanted_changed_.notify_one();
   }
@@ -63,16 +64,17 @@ std::optional<ShownPicture> PictureFetcher::lookup(int wanted) {
   const auto now = std::chrono::steady_clock::now();
   if (shown_ == wanted) had_wanted_at_ = now;
   const auto found = pictures_.find(shown_);
-  if (found == pictures_.end()) return std::nullopt;
-  return ShownPicture{found->first, found->second,
-                      std::chrono::duration<double>(now - had_wanted_at_).count()};
+  const double waited_s = std::chrono::duration<double>(now - had_wanted_at_).count();
+  if (found != pictures_.end()) return ShownPicture{found->first, found->second, waited_s, is_unreadable};
+  if (is_unreadable) return ShownPicture{wanted, nullptr, waited_s, true};
+  return std::nullopt;
 }
 
 std::optional<int> PictureFetcher::next_missing() const {
   const int count = static_cast<int>(store_->count());
   if (wanted_ < 0 || wanted_ >= count) return std::nullopt;
   for (int i = wanted_; i < std::min(count, wanted_ + kAhead); ++i)
-    if (!pictures_.contains(i)) return i;
+    if (!pictures_.contains(i) && !unreadable_.contains(i)) return i;
   return std::nullopt;
 }
 
@@ -96,8 +98,10 @@ void PictureFetcher::run(const std::stop_token& stop) {
     Result<std::shared_ptr<const Image>> picture = store_->picture(static_cast<std::size_t>(*missing));
     lock.lock();
     if (!picture) {
-      log::warning(picture.error().message);
-      return;
+      // Those before and after it may still be whole.
+      if (unreadable_.empty()) log::warning(picture.error().message);
+      unreadable_.insert(*missing);
+      continue;
     }
     pictures_[*missing] = *std::move(picture);
     order_.push_back(*missing);

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "core/pipeline/analyzed_swing.h"
@@ -26,7 +27,8 @@ class PictureFetcher {
   explicit PictureFetcher(std::shared_ptr<PictureStore> store, Reading reading = Reading::AsWanted);
   ~PictureFetcher();
 
-  // Never waits. The wanted picture, or the nearest that is there, or nothing.
+  // Never waits. The wanted picture, or the nearest that is there, or nothing; and whether the wanted one
+  // cannot be read, which the log says once.
   std::optional<ShownPicture> lookup(int wanted);
 
  private:
@@ -42,6 +44,7 @@ class PictureFetcher {
   std::chrono::steady_clock::time_point had_wanted_at_ = std::chrono::steady_clock::now();
   std::map<int, std::shared_ptr<const Image>> pictures_;
   std::list<int> order_;
+  std::set<int> unreadable_;
   std::jthread thread_;  // last: it uses all of the above
 };
 

@@ -80,8 +80,9 @@ struct LiveCounters {
 struct CoachSnapshot {
   std::uint64_t number = 0;  // rises by one with each
   SourceState source_state = SourceState::Opening;
-  std::string source;          // as people say it
-  std::string source_message;  // why it is stalled or lost and what to do; empty when live
+  std::string source;  // as people say it
+  // Why it is stalled or lost, or what was wrong with the film that is over, and what to do; empty when live.
+  std::string source_message;
   std::optional<Frame> frame;  // the picture that `person` was seen in
   std::optional<SeenPerson> person;
   std::optional<BodyPose> student;      // lifted into the camera's world

@@ -109,10 +109,12 @@ void FramePump::serve(const SourceChoice& choice, std::uint64_t number, const st
   Duration retry = options_.first_retry;
   while (!stop.stop_requested()) {
     Error error;
+    std::string damage;
     PumpEnd end = PumpEnd::Failed;
     const auto frames_before = continuation.last_index;
     if (Result<std::unique_ptr<FrameSource>> source = open_(choice.name)) {
       end = pump(**source, continuation, number, stop, error);
+      damage = (*source)->damage();
     } else {
       error = source.error();
     }
@@ -121,7 +123,7 @@ void FramePump::serve(const SourceChoice& choice, std::uint64_t number, const st
     if (end == PumpEnd::EndOfStream) {
       continuation.reopen(std::chrono::milliseconds(1));
       if (choice.at_end == AtEnd::Repeat && gave_frames) continue;
-      set_state(SourceState::Ended);
+      set_state(SourceState::Ended, damage);
       sleep_until(Clock::time_point::max(), stop);
       return;
     }

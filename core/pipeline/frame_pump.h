@@ -42,7 +42,7 @@ struct PumpStatus {
   std::uint64_t choice = 0;
   std::string source;
   SourceState state = SourceState::Opening;
-  std::string message;  // why it is lost
+  std::string message;  // why it is lost, or what was wrong with what has ended
   std::uint64_t captured = 0, lost_by_camera = 0;
   std::chrono::steady_clock::time_point last_frame_at;
 };

@@ -24,6 +24,9 @@ class FrameSource {
   virtual const FrameSourceInfo& info() const = 0;
   // The next picture; nothing at the end of the stream. Errors: a damaged file, a lost device.
   virtual Result<std::optional<Frame>> next(std::stop_token stop) = 0;
+  // What was wrong with what has been read so far and what to do, in words for people; empty when all was
+  // well.
+  virtual std::string damage() const { return {}; }
 };
 
 }  // namespace posecoach

@@ -152,8 +152,35 @@ TEST(VideoFile, a_cut_off_film_gives_its_beginning_then_one_warning) {
   EXPECT_LE(frames.size(), 26U);
   // The last may be a half picture; those before it are whole.
   for (std::size_t i = 0; i + 1 < frames.size(); ++i) ASSERT_EQ(frames[i].image->rgb, film.pictures[i].rgb);
-  EXPECT_THAT(said, HasSubstr("cut.mkv is damaged or cut off"));
+  EXPECT_THAT(said, HasSubstr("cut.mkv is cut off: "));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
+}
+
+// What the live screen shows where there is no terminal.
+TEST(VideoFile, a_cut_off_film_and_one_with_a_broken_picture_say_so_and_what_to_do) {
+  std::vector<std::int64_t> times;
+  for (int i = 0; i < 50; ++i) times.push_back(40 * i);
+  write_test_film(scratch("good.mkv"), make_film(times, 64, 48));
+  const std::string bytes = read_file(scratch("good.mkv")).value();
+  ASSERT_TRUE(
+      write_file_atomically(scratch("short.mkv"), std::string_view(bytes).substr(0, bytes.size() / 2)));
+  std::string broken = bytes;
+  const std::size_t picture = broken.find("IDAT", bytes.size() / 2);
+  ASSERT_NE(picture, std::string::npos);
+  for (std::size_t i = picture + 8; i < picture + 60; ++i) broken[i] = static_cast<char>(0x55);
+  ASSERT_TRUE(write_file_atomically(scratch("broken.mkv"), broken));
+  testing::internal::CaptureStderr();
+  const auto read = [](const std::filesystem::path& path) {
+    const auto source = open_video_file(path).value();
+    EXPECT_TRUE(read_all(*source).size() >= 20);
+    return source->damage();
+  };
+  EXPECT_EQ(read(scratch("good.mkv")), "");
+  EXPECT_THAT(read(scratch("short.mkv")), testing::StartsWith("short.mkv is cut off: 2"));
+  EXPECT_THAT(read(scratch("broken.mkv")),
+              testing::StartsWith("broken.mkv is damaged: some of its pictures"));
+  EXPECT_THAT(read(scratch("broken.mkv")), HasSubstr("choose another film"));
+  testing::internal::GetCapturedStderr();
 }
 
 TEST(VideoFile, a_whole_film_is_read_without_a_word) {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ui/widgets/controls.h"
+#include "ui/widgets/sign.h"
 
 namespace posecoach {
 namespace {
@@ -89,10 +90,7 @@ void draw_rail(const PanelContext& context, const Rect& area) {
   ui.fill(area, theme.surface);
   ui.fill({area.right() - 1, area.y, 1, area.height}, theme.line);
   Rect inner = area.inset(8, 12);
-  // The program's sign: the two bodies of its one idea.
-  const Rect sign = inner.take_top(40, 14);
-  ui.disc(sign.centre() + Vec2(-5, 0), 13, theme.coach);
-  ui.disc(sign.centre() + Vec2(5, 0), 13, theme.student.with_alpha(0.9F));
+  draw_sign(ui, inner.take_top(44, 12).centre(), 44);
   struct Place {
     ScreenName screen;
     Icon icon;

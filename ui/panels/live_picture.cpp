@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ui/panels/common_panels.h"
 #include "ui/panels/live_panels.h"
 #include "ui/panels/live_scene.h"
 #include "ui/panels/review_film_view.h"
@@ -8,16 +9,27 @@
 namespace posecoach {
 namespace {
 
-std::string_view source_title(SourceState state, bool is_camera) {
+enum class SourceKind { Camera, Film, Simulated };
+
+SourceKind kind_of(const WindowModel& model) {
+  if (model.is_simulated) return SourceKind::Simulated;
+  const std::string_view source = model.source;
+  return source.starts_with("camera:") || source.starts_with("/dev/") ? SourceKind::Camera : SourceKind::Film;
+}
+
+std::string_view source_title(SourceState state, SourceKind kind, bool is_damaged) {
+  const bool is_camera = kind == SourceKind::Camera;
   switch (state) {
     case SourceState::Opening:
       return is_camera ? "Opening the camera" : "Starting";
     case SourceState::Stalled:
-      return "The camera has stopped sending pictures";
+      return is_camera ? "The camera has stopped sending pictures" : "No more pictures are coming";
     case SourceState::Lost:
-      return "The camera is gone";
+      return is_camera                  ? "The camera is gone"
+             : kind == SourceKind::Film ? "The film cannot be played"
+                                        : "There is no such student";
     case SourceState::Ended:
-      return "The film is over";
+      return is_damaged ? "The film is over, and damaged" : "The film is over";
     case SourceState::Live:
       break;
   }
@@ -69,11 +81,12 @@ void draw_source_message(const PanelContext& context, const Rect& area) {
   const double width = std::min(440.0, area.width - 40);
   const double words = message.empty() ? 0 : ui.paragraph_height(TextStyle::Body, width - 48, message, 5) + 8;
   const bool has_buttons = state != SourceState::Opening;
-  const double height = 24 + 40 + 12 + 26 + words + (has_buttons ? 56 : 8) + 20;
+  const double height = 24 + 40 + 12 + 30 + words + (has_buttons ? 56 : 8) + 20;
   const Rect card{area.centre().x - 0.5 * width, area.centre().y - 0.5 * height, width, height};
   ui.shadow(card, radius::kLarge, 24);
   Rect inner = draw_card(ui, card, 24);
-  const bool is_bad = state == SourceState::Stalled || state == SourceState::Lost;
+  const bool is_bad = state == SourceState::Stalled || state == SourceState::Lost || !message.empty();
+  const SourceKind kind = kind_of(context.model);
   const Rect sign = inner.take_top(40, 12);
   if (state == SourceState::Opening) {
     const double angle = 4 * ui.time_s();
@@ -83,8 +96,8 @@ void draw_source_message(const PanelContext& context, const Rect& area) {
     draw_icon(ui, is_bad ? Icon::Warning : Icon::Check, sign.centre(), 38,
               is_bad ? theme.warning : theme.good);
   }
-  ui.text_in(TextStyle::Title, inner.take_top(26),
-             source_title(state, context.model.source.starts_with("camera:")), theme.text, Align::Centre);
+  ui.text_in(TextStyle::Title, inner.take_top(26, 4), source_title(state, kind, !message.empty()), theme.text,
+             Align::Centre);
   if (!message.empty())
     ui.paragraph(TextStyle::Body, inner.take_top(words), message, theme.quiet, 5, Align::Centre);
   if (!has_buttons) return;
@@ -93,9 +106,14 @@ void draw_source_message(const PanelContext& context, const Rect& area) {
   if (draw_button(ui, row.column(0, 2, 10),
                   {.id = "retry", .words = again, .icon = Icon::Retry, .look = ButtonLook::Primary}))
     context.want(intent::RetrySource{});
-  if (draw_button(ui, row.column(1, 2, 10),
-                  {.id = "choose", .words = "Choose a camera", .icon = Icon::Camera}))
+  if (kind == SourceKind::Film) {
+    if (draw_button(ui, row.column(1, 2, 10),
+                    {.id = "choose film", .words = "Another film", .icon = Icon::Folder}))
+      open_import_dialog(context, BrowseFor::Source);
+  } else if (draw_button(ui, row.column(1, 2, 10),
+                         {.id = "choose", .words = "Choose a camera", .icon = Icon::Camera})) {
     context.state.screen = ScreenName::SetUp;
+  }
 }
 
 void draw_measuring(const PanelContext& context, const Rect& area) {

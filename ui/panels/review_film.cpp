@@ -82,6 +82,14 @@ void draw_waiting(Ui& ui, const Rect& area, int picture) {
   ui.text_in(TextStyle::Caption, {place.x + 28, place.y, place.width - 36, place.height}, words, pill.ink);
 }
 
+void draw_unreadable(Ui& ui, const Rect& area, int picture) {
+  const std::string words =
+      "Picture " + std::to_string(picture + 1) + " cannot be read: the film is damaged or gone";
+  const Pill pill{words, ui.theme().warning, colour_from_hex(0x0C1016).with_alpha(0.82F), Icon::Warning};
+  const double width = std::min(pill_width(ui, pill), area.width - 20);
+  draw_pill(ui, {area.x + 10, area.bottom() - 36, width, 26}, pill);
+}
+
 }  // namespace
 
 FilmMarks marks_of(const ReviewSwing& review) {
@@ -110,7 +118,10 @@ FilmPlace draw_film(const PanelContext& context, const Rect& area, const FilmVie
   const PoseTrack& track = review.swing->track;
   const FilmPlace place = place_film(area, track.width, track.height, film.zoom, film.is_mirrored);
   if (!shown || !shown->image) {
-    draw_waiting(ui, area, film.picture);
+    if (shown && shown->is_wanted_unreadable)
+      draw_unreadable(ui, area, film.picture);
+    else
+      draw_waiting(ui, area, film.picture);
     return place;
   }
   const SeenFilm seen = seen_film(place);
@@ -153,7 +164,9 @@ FilmPlace draw_film(const PanelContext& context, const Rect& area, const FilmVie
   const bool fills = seen.on_screen.width >= area.width - 1 && seen.on_screen.height >= area.height - 1;
   ui.texture(texture, seen.on_screen, fills ? radius::kMedium : 0, film.is_mirrored);
   constexpr double kPatience_s = 0.15;
-  if (film.says_when_late && shown->frame != film.picture && shown->waited_s > kPatience_s)
+  if (shown->is_wanted_unreadable)
+    draw_unreadable(ui, area, film.picture);
+  else if (film.says_when_late && shown->frame != film.picture && shown->waited_s > kPatience_s)
     draw_waiting(ui, area, film.picture);
   return place;
 }

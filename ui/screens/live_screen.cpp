@@ -130,6 +130,8 @@ void draw_live_screen(const PanelContext& context, const Rect& area) {
   draw_state_frame(context, rest);
   const Rect bar = inner.take_bottom(kBar, kMargin);
   Rect right = inner.take_right(std::min(kSide, inner.width));
+  // How somebody stands is of interest while he is seen.
+  if (context.model.snapshot && context.model.snapshot->source_state != SourceState::Live) right = {};
   const double checks = std::min(set_up_checks_height(context, right.width), right.height);
   if (checks > 0) draw_set_up_checks(context, right.take_top(checks, 12));
   const double address = std::min(address_advice_height(context, right.width), right.height);
@@ -138,8 +140,13 @@ void draw_live_screen(const PanelContext& context, const Rect& area) {
   draw_state_banner(context, left);
   if (shows_first_steps(context.model, context.state))
     draw_first_steps(context, left.take_top(std::min(first_steps_height(context, left.width), left.height)));
-  draw_source_message(context, rest);
-  draw_measuring(context, rest);
+  Theme dialog = film;
+  dialog.surface = dialog.surface.with_alpha(0.94F);
+  {
+    const ThemeScope over(context.ui, dialog);
+    draw_source_message(context, rest);
+  }
+  draw_measuring(context, rest);  // which shows him through
   const double bar_width = std::min(bar.width, 1096.0);
   draw_live_controls(context, {bar.centre().x - 0.5 * bar_width, bar.y, bar_width, bar.height});
 }

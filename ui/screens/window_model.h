@@ -65,8 +65,9 @@ struct Toast {
 // The picture of a film that is there now: the wanted one, or another while it is being fetched.
 struct ShownPicture {
   int frame = 0;
-  std::shared_ptr<const Image> image;
-  double waited_s = 0;  // for the wanted one
+  std::shared_ptr<const Image> image;  // null where none is there
+  double waited_s = 0;                 // for the wanted one
+  bool is_wanted_unreadable = false;   // it will never come
 };
 using PictureLookup = std::function<std::optional<ShownPicture>(int wanted)>;
 

@@ -2,6 +2,7 @@
 #include "ui/screens/key_map.h"
 #include "ui/screens/screens.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/sign.h"
 
 namespace posecoach {
 namespace {
@@ -42,9 +43,7 @@ void draw_screen(const PanelContext& context, const Rect& area) {
 void draw_starting(Ui& ui, const Rect& area) {
   const Theme& theme = ui.theme();
   ui.fill(area, theme.background);
-  const Vec2 at = area.centre() + Vec2(0, -34);
-  ui.disc(at + Vec2(-15, 0), 38, theme.coach);
-  ui.disc(at + Vec2(15, 0), 38, theme.student.with_alpha(0.9F));
+  draw_sign(ui, area.centre() + Vec2(0, -44), 112);
   ui.text(TextStyle::Heading, area.centre() + Vec2(0, 48), "Virtual Pose Coach", theme.text, Align::Centre);
   ui.text(TextStyle::Body, area.centre() + Vec2(0, 76), "Starting", theme.quiet, Align::Centre);
 }

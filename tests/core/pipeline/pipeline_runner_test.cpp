@@ -28,7 +28,8 @@ class ScriptedCamera : public FrameSource {
     std::size_t fails_after = 1'000'000;
     std::size_t hangs_after = 1'000'000;
     std::size_t gap_at = 1'000'000;  // where three numbers are missing
-    bool is_film = false;            // without stamps of capture: taken at the pace of its times
+    std::string damage = {};
+    bool is_film = false;  // without stamps of capture: taken at the pace of its times
     Duration period = 1ms;
   };
   explicit ScriptedCamera(const Script& script) : script_(script) {}
@@ -48,6 +49,8 @@ class ScriptedCamera : public FrameSource {
     ++next_;
     return Frame{index, time, captured_at, small_picture()};
   }
+
+  std::string damage() const override { return script_.damage; }
 
  private:
   Script script_;
@@ -132,6 +135,18 @@ TEST(PipelineRunner, the_tap_sees_every_frame_while_the_pose_stage_skips) {
   EXPECT_EQ(snapshot->counters.captured, 200U);
   EXPECT_GT(snapshot->counters.skipped_by_pose, 100U);
   EXPECT_EQ(snapshot->counters.lost_by_camera, 0U);
+}
+
+TEST(PipelineRunner, a_film_that_is_over_says_what_was_wrong_with_it) {
+  PipelineRunner runner(quick_estimator(),
+                        opener_of({{.frames = 5, .damage = "it is cut off"}, {.frames = 5}}));
+  const auto is_over = [](const CoachSnapshot& s) { return s.source_state == SourceState::Ended; };
+  runner.set_source({"short.mp4"});
+  EXPECT_EQ(wait_until(runner, is_over)->source_message, "it is cut off");
+  runner.set_source({"whole.mp4"});
+  const auto whole =
+      wait_until(runner, [&](const CoachSnapshot& s) { return is_over(s) && s.source == "whole.mp4"; });
+  EXPECT_EQ(whole->source_message, "");
 }
 
 TEST(PipelineRunner, the_lag_of_a_slow_pose_stage_does_not_grow) {

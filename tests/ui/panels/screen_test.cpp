@@ -87,6 +87,23 @@ TEST(Screens, live_while_measuring_and_when_the_camera_is_lost) {
   EXPECT_TRUE(matches_golden(drawn(window, kDark), "screen_live_lost", kScreenTolerance));
 }
 
+TEST(Screens, a_film_that_was_damaged_says_so_when_it_is_over) {
+  SampleWindow window = live(LoopState::Off);
+  window.model.source = "/home/anna/Videos/driver 12 May.mp4";
+  CoachSnapshot snapshot = *window.model.snapshot;
+  snapshot.source_state = SourceState::Ended;
+  window.model.snapshot = std::make_shared<const CoachSnapshot>(snapshot);
+  const Image whole = drawn(window, kDark);
+  snapshot.source_message =
+      "driver 12 May.mp4 is cut off: 57 of 120 pictures could be read. Copy it from where it was recorded "
+      "once "
+      "more, or choose another film.";
+  window.model.snapshot = std::make_shared<const CoachSnapshot>(snapshot);
+  const Image damaged = drawn(window, kDark);
+  EXPECT_GT(image_difference(whole, damaged, 40).outlier_fraction, 0.001);
+  EXPECT_TRUE(matches_golden(damaged, "screen_live_damaged_film", kScreenTolerance));
+}
+
 TEST(Screens, review_in_every_look) {
   const SampleWindow window = quiet(on_screen(normal_window(), ScreenName::Review));
   EXPECT_TRUE(matches_golden(drawn(window, kDark), "screen_review_dark", kScreenTolerance));
@@ -123,6 +140,18 @@ TEST(Screens, review_says_when_the_wanted_picture_is_still_being_fetched) {
   const Image waiting = drawn(window, kDark);
   EXPECT_GT(image_difference(patient, waiting, 40).outlier_fraction, 0.001);
   EXPECT_TRUE(matches_golden(waiting, "screen_review_waiting", kScreenTolerance));
+}
+
+TEST(Screens, review_says_which_picture_of_a_damaged_film_cannot_be_read) {
+  SampleWindow window = quiet(on_screen(normal_window(), ScreenName::Review));
+  window.model.opened->marks = {};
+  const PictureLookup all = window.model.opened->picture;
+  window.model.opened->picture = [&](int wanted) {
+    std::optional<ShownPicture> shown = all(wanted - 9);
+    shown->is_wanted_unreadable = true;
+    return shown;
+  };
+  EXPECT_TRUE(matches_golden(drawn(window, kDark), "screen_review_unreadable", kScreenTolerance));
 }
 
 // A left-hander beside a right-hander is seen in a mirror, so that both swing the same way.
