@@ -5,6 +5,7 @@
 
 #include "app/library/stored_swing.h"
 #include "capture/video_file.h"
+#include "core/base/log.h"
 #include "core/motion/motion_file.h"
 #include "core/motion/pose_file.h"
 #include "core/session/swing_folders.h"
@@ -111,6 +112,9 @@ Result<void> import_file(Library& library, const fs::path& input, const ImportOp
     Result<SwingDraft> again =
         answer ? library.begin_again(swing->id) : Result<SwingDraft>(tl::unexpected(answer.error()));
     Result<void> added = again ? add_answer(*again, *answer) : Result<void>(tl::unexpected(again.error()));
+    if (const auto film = swing->file("film"); film && added)
+      if (const Result<void> pictured = add_top_picture(*again, *answer, *film); !pictured)
+        log::warning(pictured.error().message);
     Result<Swing> analyzed =
         added ? library.keep(*std::move(again)) : Result<Swing>(tl::unexpected(added.error()));
     if (analyzed)

@@ -10,6 +10,7 @@
 #include "app/output_check.h"
 #include "app/pose_options.h"
 #include "app/progress_bar.h"
+#include "core/base/log.h"
 #include "core/session/places.h"
 #include "core/session/references.h"
 
@@ -94,6 +95,9 @@ Result<void> analyze_again(const LibraryPlace& place, const std::string& id, con
     Result<SwingDraft> draft = (*library)->begin_again(swing->id);
     if (!draft) return tl::unexpected(draft.error());
     if (const Result<void> added = add_answer(*draft, *answer); !added) return added;
+    if (const auto film = swing->file("film"))
+      if (const Result<void> pictured = add_top_picture(*draft, *answer, *film); !pictured)
+        log::warning(pictured.error().message);
     swing = (*library)->keep(*std::move(draft), bar.progress());
   }
   if (!swing) return tl::unexpected(swing.error());

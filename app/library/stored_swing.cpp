@@ -18,6 +18,7 @@
 #include "ui/review/find_golfer.h"
 
 namespace posecoach {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr int kThumbnailWidth_px = 320;
@@ -78,7 +79,6 @@ Result<StoredAnswer> analyze_with_pictures(const Swing& swing, const std::string
   return StoredAnswer{std::move(student), *std::move(pair), std::move(body)};
 }
 
-// The middle where there is no top.
 // The golfer as large as he fits, in the usual shape.
 Image around_golfer(const Image& picture, const AnalyzedSwing& swing) {
   const auto golfer = find_golfer(swing);
@@ -98,10 +98,20 @@ Image around_golfer(const Image& picture, const AnalyzedSwing& swing) {
                  {left, top, std::min(width, picture.width - left), std::min(height, picture.height - top)});
 }
 
+// The middle where there is no top.
 std::size_t top_picture(const AnalyzedSwing& swing) {
   for (const SwingEvent& event : swing.pair.analysis.student_events)
     if (event.name == "top") return static_cast<std::size_t>(std::max(0, event.frame));
   return swing.track.frames.size() / 2;
+}
+
+Result<void> add_top(SwingDraft& draft, const AnalyzedSwing& swing) {
+  const std::size_t pictures = swing.pictures ? swing.pictures->count() : 0;
+  if (pictures == 0) return {};
+  const Result<std::shared_ptr<const Image>> picture =
+      swing.pictures->picture(std::min(top_picture(swing), pictures - 1));
+  if (!picture) return tl::unexpected(picture.error());
+  return add_picture(draft, around_golfer(**picture, swing));
 }
 
 Result<void> add_parts(SwingDraft& draft, const PoseTrack* track, const Motion& student, const Skeleton& body,
@@ -194,12 +204,17 @@ Result<void> add_answer(SwingDraft& draft, const AnalyzedSwing& swing) {
           add_parts(draft, &swing.track, swing.student.motion, swing.student.body, swing.pair);
       !added)
     return added;
-  const std::size_t pictures = swing.pictures ? swing.pictures->count() : 0;
-  if (pictures == 0) return {};
-  const Result<std::shared_ptr<const Image>> picture =
-      swing.pictures->picture(std::min(top_picture(swing), pictures - 1));
-  if (!picture) return tl::unexpected(picture.error());
-  return add_picture(draft, around_golfer(**picture, swing));
+  return add_top(draft, swing);
+}
+
+Result<void> add_top_picture(SwingDraft& draft, const StoredAnswer& answer, const fs::path& film) {
+  if (!answer.student.student) return {};
+  const SeenStudent& seen = *answer.student.student;
+  std::vector<MediaTime> times;
+  for (const PoseObservation& frame : seen.track.frames) times.push_back(frame.time);
+  Result<std::shared_ptr<PictureStore>> pictures = open_film_pictures(film, std::move(times));
+  if (!pictures) return tl::unexpected(pictures.error());
+  return add_top(draft, {seen.track, seen.lifted, answer.pair, *std::move(pictures)});
 }
 
 Result<void> add_picture(SwingDraft& draft, const Image& picture) {

@@ -38,10 +38,14 @@ Result<StoredAnswer> analyze_marked(const Swing& swing, const std::string& coach
 Result<AnalyzedSwing> load_analyzed_swing(const Swing& swing, const std::string& coach,
                                           const LoadOptions& options = {});
 
-// Everything that is known about a swing into its draft, a small picture of its top too; the film is the
-// caller's.
+// Everything that is known about a swing into its draft, with a small picture of its top where its pictures
+// are at hand; the film is the caller's.
 Result<void> add_answer(SwingDraft& draft, const StoredAnswer& answer);
 Result<void> add_answer(SwingDraft& draft, const AnalyzedSwing& swing);
+// The golfer at the top of that film, as small as lists show him. Does nothing where nobody was seen in a
+// film.
+Result<void> add_top_picture(SwingDraft& draft, const StoredAnswer& answer,
+                             const std::filesystem::path& film);
 // A small picture for lists.
 Result<void> add_picture(SwingDraft& draft, const Image& picture);
 
