@@ -5,7 +5,8 @@
 #include "capture/open_source.h"
 #include "capture/recorder.h"
 #include "capture/simulated_source.h"
-#include "capture/v4l2/camera_list.h"
+#include "capture/v4l2/camera_name.h"
+#include "capture/v4l2/open_camera.h"
 
 namespace posecoach {
 
@@ -13,9 +14,9 @@ struct LiveSession::Tape {
   std::unique_ptr<Recorder> recorder;
 };
 
-std::vector<FoundCamera> find_cameras() {
+std::vector<FoundCamera> find_cameras(const CameraListOptions& cameras) {
   std::vector<FoundCamera> found;
-  for (const CameraDescription& camera : list_cameras()) {
+  for (const CameraDescription& camera : list_cameras(cameras)) {
     std::string detail = camera.node.string();
     if (!camera.problem.empty())
       detail = camera.problem;
@@ -27,12 +28,25 @@ std::vector<FoundCamera> find_cameras() {
   return found;
 }
 
-Result<std::unique_ptr<LiveSession>> LiveSession::make(const PoseTrackerOptions& pose) {
-  Result<std::unique_ptr<PoseTracker>> tracker = PoseTracker::make(pose);
-  if (!tracker) return tl::unexpected(tracker.error());
+Result<std::unique_ptr<LiveSession>> LiveSession::make(const PoseTrackerOptions& pose,
+                                                       const LiveDevices& devices) {
+  std::unique_ptr<PoseEstimator> eyes;
+  if (devices.make_estimator) {
+    eyes = devices.make_estimator();
+  } else {
+    Result<std::unique_ptr<PoseTracker>> tracker = PoseTracker::make(pose);
+    if (!tracker) return tl::unexpected(tracker.error());
+    eyes = *std::move(tracker);
+  }
   std::unique_ptr<LiveSession> made(new LiveSession());
-  made->runner_ = std::make_unique<PipelineRunner>(*std::move(tracker),
-                                                   [](const std::string& name) { return open_source(name); });
+  made->runner_ = std::make_unique<PipelineRunner>(
+      std::move(eyes),
+      [cameras = devices.cameras](const std::string& name) -> Result<std::unique_ptr<FrameSource>> {
+        if (!is_camera_name(name)) return open_source(name);
+        Result<std::unique_ptr<V4l2Camera>> camera = open_camera(name, cameras);
+        if (!camera) return tl::unexpected(camera.error());
+        return std::unique_ptr<FrameSource>(*std::move(camera));
+      });
   return made;
 }
 

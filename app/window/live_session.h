@@ -1,12 +1,13 @@
 // The live pipeline with its camera and its recorder, as the window uses it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
-#include "capture/v4l2/camera_mode.h"
+#include "capture/v4l2/camera_list.h"
 #include "core/pipeline/pipeline_runner.h"
 #include "core/vision/pose_tracker.h"
 
@@ -17,7 +18,13 @@ struct FoundCamera {
   std::string source, name, detail;
   std::vector<CameraMode> modes;
 };
-std::vector<FoundCamera> find_cameras();
+std::vector<FoundCamera> find_cameras(const CameraListOptions& cameras = {});
+
+// What the program sees with. Tests put their own cameras and eyes in place of the machine's.
+struct LiveDevices {
+  CameraListOptions cameras = {};
+  std::function<std::unique_ptr<PoseEstimator>()> make_estimator = {};  // empty: the pose networks
+};
 
 struct SessionRecording {
   bool is_on = false;
@@ -29,7 +36,8 @@ struct SessionRecording {
 class LiveSession {
  public:
   // Errors: the pose networks are missing.
-  static Result<std::unique_ptr<LiveSession>> make(const PoseTrackerOptions& pose);
+  static Result<std::unique_ptr<LiveSession>> make(const PoseTrackerOptions& pose,
+                                                   const LiveDevices& devices = {});
   ~LiveSession();
 
   PipelineRunner& runner() { return *runner_; }

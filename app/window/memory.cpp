@@ -24,6 +24,7 @@ Memory::Memory(const std::filesystem::path& file) : file_(std::make_unique<File>
   remembered.width = settings.camera.width;
   remembered.height = settings.camera.height;
   remembered.fps = settings.camera.fps;
+  remembered.format = settings.camera.pixel_format;
   remembered.theme = settings.theme;
   remembered.palette = settings.palette;
   remembered.text_size = settings.interface_scale > 0 ? settings.interface_scale : 1;
@@ -45,6 +46,7 @@ void Memory::save() {
     settings.camera.width = remembered.width;
     settings.camera.height = remembered.height;
     settings.camera.fps = remembered.fps;
+    settings.camera.pixel_format = remembered.format;
   }
   settings.theme = remembered.theme;
   settings.palette = remembered.palette;

@@ -12,6 +12,7 @@ struct Remembered {
   std::string source;         // the camera, as open_source() takes it; empty: none was chosen
   int width = 0, height = 0;  // of its pictures; 0: the program chooses
   double fps = 0;
+  std::string format;
   std::string theme = "dark", palette = "red-green";
   double text_size = 1;
   bool is_sound_on = true;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/window/live_session.h"
 #include "app/window/memory.h"
 #include "core/base/log.h"
 #include "core/base/overloaded.h"
@@ -15,8 +14,9 @@ constexpr double kToastStays_s = 7, kWarningStays_s = 14;
 
 }  // namespace
 
-WindowProgram::WindowProgram(const LiveArguments& arguments)
+WindowProgram::WindowProgram(const LiveArguments& arguments, LiveDevices devices)
     : pose_(arguments.pose),
+      devices_(std::move(devices)),
       places_(find_places()),
       references_(places_.references()),
       people_(places_.people()),
@@ -31,14 +31,15 @@ WindowProgram::~WindowProgram() {
   live_.reset();
 }
 
-Result<std::unique_ptr<WindowProgram>> WindowProgram::make(const LiveArguments& arguments) {
-  std::unique_ptr<WindowProgram> made(new WindowProgram(arguments));
+Result<std::unique_ptr<WindowProgram>> WindowProgram::make(const LiveArguments& arguments,
+                                                           LiveDevices devices) {
+  std::unique_ptr<WindowProgram> made(new WindowProgram(arguments, std::move(devices)));
   if (const Result<void> started = made->start(arguments); !started) return tl::unexpected(started.error());
   return made;
 }
 
 Result<void> WindowProgram::start(const LiveArguments& arguments) {
-  Result<std::unique_ptr<LiveSession>> live = LiveSession::make(arguments.pose);
+  Result<std::unique_ptr<LiveSession>> live = LiveSession::make(arguments.pose, devices_);
   if (!live) return tl::unexpected(live.error());
   live_ = *std::move(live);
   jobs_ = std::make_unique<JobQueue>([this](const Error& error) { tell(ToastKind::Warning, error.message); });
@@ -79,7 +80,8 @@ Result<void> WindowProgram::start(const LiveArguments& arguments) {
   for (const CameraEntry& camera : model_.cameras)
     for (const PictureMode& can : camera.modes)
       if (camera.source == source && source == remembered.source && can.width == remembered.width &&
-          can.height == remembered.height && std::abs(can.fps - remembered.fps) < 0.01)
+          can.height == remembered.height && std::abs(can.fps - remembered.fps) < 0.01 &&
+          (remembered.format.empty() || can.format == remembered.format))
         mode = can;
   choose_source(source, false, mode);
   return {};
@@ -99,9 +101,7 @@ const WindowModel& WindowProgram::model(double time_s, WindowState& state) {
   (void)jobs_->finish_jobs();
   (void)keeping_->finish_jobs();
   if (wanted_screen_) state.screen = *std::exchange(wanted_screen_, std::nullopt);
-  // What was plugged in meanwhile is there to be chosen.
-  if (state.screen == ScreenName::SetUp && last_screen_ != ScreenName::SetUp) refresh_cameras();
-  last_screen_ = state.screen;
+  if (state.screen == ScreenName::SetUp) look_for_cameras();
   model_.snapshot = live_->runner().snapshot();
   follow_loop(*model_.snapshot, time_s);
   const SessionRecording recording = live_->recording();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/window/job_queue.h"
+#include "app/window/live_session.h"
 #include "app/window/picture_fetcher.h"
 #include "app/window/sounds.h"
 #include "core/session/library.h"
@@ -19,17 +20,17 @@
 namespace posecoach {
 
 struct LiveArguments {
-  std::string source, coach, person;  // empty: as last time
-  PoseTrackerOptions pose;
+  std::string source = {}, coach = {}, person = {};  // empty: as last time
+  PoseTrackerOptions pose = {};
 };
 
-class LiveSession;
 class Memory;
 
 class WindowProgram {
  public:
   // Errors: the pose networks are missing.
-  static Result<std::unique_ptr<WindowProgram>> make(const LiveArguments& arguments);
+  static Result<std::unique_ptr<WindowProgram>> make(const LiveArguments& arguments,
+                                                     LiveDevices devices = {});
   ~WindowProgram();
 
   // What the window shows now; `state` tells where the user is.
@@ -44,7 +45,7 @@ class WindowProgram {
   void keep_shot(const Image& picture);
 
  private:
-  explicit WindowProgram(const LiveArguments& arguments);
+  WindowProgram(const LiveArguments& arguments, LiveDevices devices);
   Result<void> start(const LiveArguments& arguments);
 
   // window_program_live.cpp
@@ -62,7 +63,8 @@ class WindowProgram {
   void keep_picture(const Image& picture);
   void record(bool is_on);
   void refresh_cameras();
-  void list_source(const std::string& source);
+  void look_for_cameras();  // lists them again when one was plugged in or out
+  void list_source(const std::string& source, const std::string& known_name = {});
 
   // window_program_library.cpp
   void refresh_swings();  // beside the window
@@ -103,6 +105,7 @@ class WindowProgram {
   };
 
   PoseTrackerOptions pose_;
+  LiveDevices devices_;
   Places places_;
   std::unique_ptr<Library> library_;
   References references_;
@@ -120,7 +123,8 @@ class WindowProgram {
   LoopState last_loop_ = LoopState::Off;
   double replay_until_s_ = 0;
   std::optional<ScreenName> wanted_screen_;
-  ScreenName last_screen_ = ScreenName::Live;
+  std::vector<std::filesystem::path> camera_files_;
+  double looked_for_cameras_s_ = 0;
   std::optional<Rect> wanted_shot_;
   std::vector<Leftover> leftovers_;
   bool is_storing_marks_ = false;

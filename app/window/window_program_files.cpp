@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <thread>
 
-#include "app/window/live_session.h"
 #include "app/window/memory.h"
 #include "app/window/window_program.h"
 #include "core/session/wall_time.h"

@@ -4,7 +4,6 @@
 #include "app/library/export_swing.h"
 #include "app/library/import_swing.h"
 #include "app/library/stored_swing.h"
-#include "app/window/live_session.h"
 #include "app/window/window_program.h"
 #include "core/base/log.h"
 #include "core/image/image_codec.h"

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "app/library/stored_swing.h"
-#include "app/window/live_session.h"
 #include "app/window/memory.h"
 #include "app/window/window_program.h"
 #include "capture/video_writer.h"
@@ -116,6 +115,7 @@ void WindowProgram::choose_source(const std::string& source, bool is_remembered,
   std::string wish;
   if (mode) wish = "?width=" + std::to_string(mode->width) + "&height=" + std::to_string(mode->height);
   if (mode && mode->fps > 0) wish += "&fps=" + decimal(mode->fps, 2);
+  if (mode && !mode->format.empty()) wish += "&format=" + mode->format;
   live_->set_source(source + wish);
   list_source(source);
   if (!is_remembered) return;
@@ -124,6 +124,7 @@ void WindowProgram::choose_source(const std::string& source, bool is_remembered,
   remembered.width = mode ? mode->width : 0;
   remembered.height = mode ? mode->height : 0;
   remembered.fps = mode ? mode->fps : 0;
+  remembered.format = mode ? mode->format : std::string();
   memory_->save();
 }
 
@@ -208,8 +209,12 @@ void WindowProgram::record(bool is_on) {
 
 void WindowProgram::refresh_cameras() {
   const std::string used = model_.source;
+  std::string used_name;
+  for (const CameraEntry& camera : model_.cameras)
+    if (camera.source == used) used_name = camera.name;
+  camera_files_ = camera_files(devices_.cameras);
   model_.cameras.clear();
-  for (FoundCamera& camera : find_cameras()) {
+  for (FoundCamera& camera : find_cameras(devices_.cameras)) {
     std::vector<PictureMode> modes;  // each at its fastest
     for (const CameraMode& mode : camera.modes)
       modes.push_back({mode.width, mode.height, mode.frame_rates.empty() ? 0 : mode.frame_rates.front(),
@@ -219,18 +224,27 @@ void WindowProgram::refresh_cameras() {
   }
   model_.cameras.push_back({"simulated:swing", "Simulated student, full swing", "No camera needed", {}});
   model_.cameras.push_back({"simulated:putt", "Simulated student, putt", "No camera needed", {}});
-  list_source(used);
+  list_source(used, used_name);
+}
+
+void WindowProgram::look_for_cameras() {
+  constexpr double kEvery_s = 1;
+  if (std::abs(time_s_ - looked_for_cameras_s_) < kEvery_s) return;
+  looked_for_cameras_s_ = time_s_;
+  if (camera_files(devices_.cameras) != camera_files_) refresh_cameras();
 }
 
 // What is used is among what can be chosen: a film, a camera that is unplugged now.
-void WindowProgram::list_source(const std::string& source) {
+void WindowProgram::list_source(const std::string& source, const std::string& known_name) {
   const bool is_listed = std::any_of(model_.cameras.begin(), model_.cameras.end(),
                                      [&](const CameraEntry& camera) { return camera.source == source; });
   if (source.empty() || is_listed) return;
   std::error_code failed;
   const bool is_film = std::filesystem::is_regular_file(source, failed);
   model_.cameras.push_back({source,
-                            is_film ? std::filesystem::path(source).filename().string() : source,
+                            is_film              ? std::filesystem::path(source).filename().string()
+                            : known_name.empty() ? source
+                                                 : known_name,
                             is_film                         ? "A film: " + source
                             : source.starts_with("camera:") ? "Not plugged in now"
                                                             : "As you wrote it",

@@ -1,6 +1,5 @@
 // What was marked by hand on the opened swing: shown at once, stored and analysed beside the window.
 #include "app/library/stored_swing.h"
-#include "app/window/live_session.h"
 #include "app/window/memory.h"
 #include "app/window/window_program.h"
 

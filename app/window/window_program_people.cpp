@@ -1,4 +1,3 @@
-#include "app/window/live_session.h"
 #include "app/window/memory.h"
 #include "app/window/window_program.h"
 

@@ -1,5 +1,4 @@
 #include "app/analyze/picture_retarget.h"
-#include "app/window/live_session.h"
 #include "app/window/window_program.h"
 
 namespace posecoach {

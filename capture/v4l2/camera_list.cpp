@@ -49,6 +49,17 @@ fs::path stable_camera_path(const fs::path& node, const fs::path& device_folder)
   return node;
 }
 
+std::vector<fs::path> camera_files(const CameraListOptions& options) {
+  std::vector<fs::path> files = video_nodes(options.device_folder);
+  const auto nodes = static_cast<std::ptrdiff_t>(files.size());
+  std::error_code failed;
+  for (const fs::directory_entry& link :
+       fs::directory_iterator(options.device_folder / "v4l" / "by-id", failed))
+    files.push_back(link.path());
+  std::sort(files.begin() + nodes, files.end());
+  return files;
+}
+
 std::vector<CameraDescription> list_cameras(const CameraListOptions& options) {
   V4l2SystemCalls& calls = options.system_calls == nullptr ? real_v4l2_system_calls() : *options.system_calls;
   std::vector<CameraDescription> cameras;

@@ -31,6 +31,10 @@ struct CameraListOptions {
   V4l2SystemCalls* system_calls = nullptr;  // the real ones
 };
 
+// The files of what may be cameras, and the links to them: whether they changed tells whether anything was
+// plugged in or out, without asking any device.
+std::vector<std::filesystem::path> camera_files(const CameraListOptions& options = {});
+
 // In the order of their numbers. Devices that are no cameras (outputs, metadata, tuners) are left out;
 // cameras that cannot be opened are listed with their problem. A few milliseconds a camera; safe from any
 // thread, also while a camera streams.

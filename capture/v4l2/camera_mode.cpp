@@ -13,7 +13,7 @@ constexpr double kGoodRate = 30;  // below it a swing is hardly seen
 constexpr CameraWish kOurs = {1280, 720, 60};
 
 // How far a mode is from the wish, the most important first; smaller is better.
-using Distance = std::array<double, 5>;
+using Distance = std::array<double, 6>;
 
 bool is_jpeg(std::uint32_t pixel_format) {
   return pixel_format == V4L2_PIX_FMT_MJPEG || pixel_format == V4L2_PIX_FMT_JPEG;
@@ -53,9 +53,12 @@ std::optional<ChosenMode> choose_mode(std::span<const CameraMode> modes, const C
       const double below_good = std::max(0.0, std::min(fps, kGoodRate) - assumed - 0.1);
       const double size = size_distance(mode, width, height);
       const double excess = std::max(0.0, assumed - fps);
+      const double other_format =
+          !wish.format.empty() && pixel_format_name(mode.pixel_format) != wish.format ? 1 : 0;
       const double raw_first = is_jpeg(mode.pixel_format) ? 1 : 0;
-      const Distance distance = wants_size ? Distance{size, below_good, shortfall, excess, raw_first}
-                                           : Distance{below_good, size, shortfall, excess, raw_first};
+      const Distance distance = wants_size
+                                    ? Distance{other_format, size, below_good, shortfall, excess, raw_first}
+                                    : Distance{other_format, below_good, size, shortfall, excess, raw_first};
       if (best && !(distance < least)) continue;
       least = distance;
       best = ChosenMode{mode.pixel_format, mode.width, mode.height, rate};

@@ -24,6 +24,7 @@ struct CameraWish {
   int width = 0;
   int height = 0;
   double fps = 0;
+  std::string format = {};  // as pixel_format_name() tells it; empty: ours
 };
 
 struct ChosenMode {
@@ -33,9 +34,9 @@ struct ChosenMode {
   double fps = 0;  // 0: the driver's own
 };
 
-// The mode nearest to the wish. A size that was asked for comes first, else a rate of 30; then the size, then
-// the rate, then uncompressed pictures before MJPEG: so MJPEG is taken where raw pictures cannot reach the
-// rate. Nothing when there are no modes.
+// The mode nearest to the wish. A format that was asked for comes first, where there is one of it; then a
+// size that was asked for, else a rate of 30; then the size, then the rate, then uncompressed pictures before
+// MJPEG: so MJPEG is taken where raw pictures cannot reach the rate. Nothing when there are no modes.
 std::optional<ChosenMode> choose_mode(std::span<const CameraMode> modes, const CameraWish& wish);
 
 }  // namespace posecoach

@@ -32,8 +32,12 @@ Result<void> set(CameraWish& wish, std::string_view setting) {
     return parse_number(value, wish.fps) && wish.fps >= 1 && wish.fps <= 1000
                ? Result<void>()
                : wrong("a number from 1 to 1000");
-  return fail(ErrorCode::InvalidArgument,
-              "a camera has no setting \"" + std::string(key) + "\"; there are width, height and fps");
+  if (key == "format") {
+    wish.format = value;
+    return value.size() <= 4 && !value.empty() ? Result<void>() : wrong("four letters, such as MJPG or YUYV");
+  }
+  return fail(ErrorCode::InvalidArgument, "a camera has no setting \"" + std::string(key) +
+                                              "\"; there are width, height, fps and format");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // A camera's name as a source:
 //
-//   camera:/dev/video0?width=1280&height=720&fps=60      /dev/video0      camera:
+//   camera:/dev/video0?width=1280&height=720&fps=60&format=MJPG      /dev/video0      camera:
 //
 // The last is the first camera that works. A bare device needs no prefix.
 #pragma once

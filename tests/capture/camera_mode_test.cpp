@@ -37,6 +37,13 @@ TEST(CameraMode, raw_pictures_where_they_are_quick_enough) {
   expect_mode(choose_mode(usual_webcam(), {1280, 720, 10}), kYuyv, 1280, 720, 10);
 }
 
+TEST(CameraMode, a_format_that_was_asked_for_comes_first_and_one_that_is_not_there_counts_for_nothing) {
+  expect_mode(choose_mode(usual_webcam(), {640, 480, 30, "MJPG"}), kMjpeg, 640, 480, 30);
+  expect_mode(choose_mode(usual_webcam(), {640, 480, 30, "YUYV"}), kYuyv, 640, 480, 30);
+  expect_mode(choose_mode(usual_webcam(), {1280, 720, 30, "YUYV"}), kYuyv, 1280, 720, 10);
+  expect_mode(choose_mode(usual_webcam(), {640, 480, 30, "H264"}), kYuyv, 640, 480, 30);
+}
+
 TEST(CameraMode, a_small_quick_picture_before_a_large_slow_one_unless_the_size_was_asked_for) {
   const std::vector<CameraMode> raw_only = {{kYuyv, 1280, 720, {10}}, {kYuyv, 640, 480, {30}}};
   expect_mode(choose_mode(raw_only, {}), kYuyv, 640, 480, 30);

@@ -62,8 +62,13 @@ void FakeCamera::then(Step step) {
   steps_.push_back(std::move(step));
 }
 void FakeCamera::then_forever(std::vector<std::uint8_t> bytes) {
+  then_forever([bytes = std::move(bytes)](const ChosenMode&, std::uint32_t) { return bytes; },
+               std::chrono::milliseconds(2));
+}
+void FakeCamera::then_forever(Scene scene, Duration interval) {
   const std::scoped_lock lock(mutex_);
-  forever_ = std::move(bytes);
+  forever_ = std::move(scene);
+  forever_interval_ = interval;
 }
 void FakeCamera::look_with(Sensor sensor) {
   const std::scoped_lock lock(mutex_);
@@ -181,15 +186,17 @@ int FakeCamera::munmap(void* address, std::size_t length) {
 }
 
 int FakeCamera::poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
-  const auto wait = [&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(std::min(timeout_ms, 2)));
+  const auto wait = [&](Duration longest) {
+    std::this_thread::sleep_for(std::min<Duration>(std::chrono::milliseconds(timeout_ms), longest));
     return 0;
   };
+  Duration pace;
   Kind kind = Kind::Nothing;
   {
     const std::scoped_lock lock(mutex_);
     expect(count == 1 && timeout_ms >= 0, "waits for one device, and not forever");
     descriptors->revents = 0;
+    pace = forever_interval_;
     if (is_gone_ || dead_descriptors_.contains(descriptors->fd)) {
       descriptors->revents = POLLERR | POLLHUP;
       return 1;
@@ -216,7 +223,7 @@ int FakeCamera::poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
   }
   switch (kind) {
     case Kind::Nothing:
-      return wait();
+      return wait(std::chrono::milliseconds(2));
     case Kind::Interrupted:
       return failed(EINTR);
     case Kind::NewSize:
@@ -228,7 +235,7 @@ int FakeCamera::poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
       return 1;
     default:
       descriptors->revents = POLLIN;
-      if (steps_left() == 0 && !sensor_) wait();  // the pace of an endless camera
+      if (steps_left() == 0 && !sensor_) wait(pace);  // the pace of an endless camera
       return 1;
   }
 }
@@ -429,7 +436,8 @@ int FakeCamera::dequeue_buffer(void* argument) {
     step = std::move(exposed_.front());
     exposed_.pop_front();
   } else {
-    step = {Kind::Picture, *forever_, next_sequence_, std::chrono::steady_clock::now().time_since_epoch()};
+    step = {Kind::Picture, forever_(agreed_, next_sequence_), next_sequence_,
+            std::chrono::steady_clock::now().time_since_epoch()};
   }
   next_sequence_ = step.sequence + 1;
   const std::uint32_t index = queued_.front();

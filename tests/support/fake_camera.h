@@ -69,6 +69,9 @@ class FakeCamera : public V4l2SystemCalls {
   void then(Step::Kind kind) { then(Step{kind, {}, 0, {}}); }
   // After the script: one picture after another, or nothing (the default).
   void then_forever(std::vector<std::uint8_t> bytes);
+  // The same, each made for the mode that was agreed, at this interval.
+  using Scene = std::function<std::vector<std::uint8_t>(const ChosenMode& mode, std::uint32_t number)>;
+  void then_forever(Scene scene, Duration interval);
   // Instead of a script.
   void look_with(Sensor sensor);
   // The device is there again, under another node; links in the file system decide what opens it.
@@ -123,7 +126,8 @@ class FakeCamera : public V4l2SystemCalls {
   std::optional<Duration> sensor_began_;
   std::deque<Step> exposed_;  // in buffers that are not dequeued yet
   std::size_t taken_ = 0, lost_ = 0;
-  std::optional<std::vector<std::uint8_t>> forever_;
+  Scene forever_;
+  Duration forever_interval_ = std::chrono::milliseconds(2);
   std::uint32_t next_sequence_ = 0;
   bool is_gone_ = false, is_failing_ = false, is_streaming_ = false;
   ChosenMode agreed_;

@@ -10,6 +10,7 @@
 #include "capture/v4l2/camera.h"
 #include "capture/v4l2/camera_list.h"
 #include "capture/v4l2/camera_name.h"
+#include "capture/v4l2/open_camera.h"
 #include "capture/v4l2/system_calls.h"
 #include "tests/vivid/driver_control.h"
 
@@ -27,7 +28,7 @@ void check(bool holds, const std::string& what) {
   std::printf("FAILED: %s\n", what.c_str());
 }
 
-std::unique_ptr<V4l2Camera> open_camera(const CameraWish& wish = {kWidth, kHeight, 30}) {
+std::unique_ptr<V4l2Camera> open_small(const CameraWish& wish = {kWidth, kHeight, 30}) {
   auto camera = V4l2Camera::open({.path = kNode, .wish = wish});
   if (camera) return *std::move(camera);
   check(false, "open: " + camera.error().message);
@@ -122,8 +123,39 @@ void decodes_every_format() {
   check(seen.size() >= 4, "several formats were tried");
 }
 
+// As the window does when another mode is chosen from its list: the camera is opened anew by its name.
+void changes_its_mode_while_it_streams() {
+  const CameraDescription described = list_cameras().at(0);
+  std::vector<CameraMode> modes;
+  for (const std::uint32_t format : {V4L2_PIX_FMT_YUYV, V4L2_PIX_FMT_NV12, V4L2_PIX_FMT_GREY})
+    for (const CameraMode& mode : described.modes)
+      if (mode.width <= 640 && mode.pixel_format == format) modes.push_back(mode);
+  check(modes.size() >= 6, "several modes were tried");
+  Result<std::unique_ptr<V4l2Camera>> camera = open_camera(described.source());
+  for (const CameraMode& mode : modes) {
+    const std::string format = pixel_format_name(mode.pixel_format);
+    const std::string size = std::to_string(mode.width) + "x" + std::to_string(mode.height);
+    if (!camera) return check(false, camera.error().message);
+    take(**camera, 2);  // it streams when it is told
+    camera->reset();
+    camera = open_camera(described.source() + "?width=" + std::to_string(mode.width) +
+                         "&height=" + std::to_string(mode.height) + "&fps=15&format=" + format);
+    if (!camera) return check(false, camera.error().message);
+    check((*camera)->format().pixel_format == mode.pixel_format, format + " is what the driver agreed to");
+    const Stretch stretch = take(**camera, 3);
+    if (stretch.frames.empty()) continue;
+    const Image& image = *stretch.frames.back().image;
+    check(image.width == mode.width && image.height == mode.height, size + " " + format + " comes as " +
+                                                                        std::to_string(image.width) + "x" +
+                                                                        std::to_string(image.height));
+    check(shows_colour_bars(image, mode.pixel_format == V4L2_PIX_FMT_GREY),
+          size + " " + format + " shows the bars");
+    std::printf("  %s %s\n", size.c_str(), format.c_str());
+  }
+}
+
 void streams_with_the_drivers_clock() {
-  auto camera = open_camera();
+  auto camera = open_small();
   if (!camera) return;
   check(camera->info().width == kWidth && camera->info().height == kHeight, "the size that was asked for");
   const Stretch stretch = take(*camera, 60);
@@ -141,7 +173,7 @@ void streams_with_the_drivers_clock() {
 }
 
 void survives_injected_errors() {
-  auto camera = open_camera();
+  auto camera = open_small();
   if (!camera) return;
   DriverControl control(kNode);
   take(*camera, 5);
@@ -163,7 +195,7 @@ void follows_a_count_that_wraps() {
   DriverControl control(kNode);
   check(control.set("Wrap Sequence Number", 1), "the driver's count is near its end");
   {
-    auto camera = open_camera();
+    auto camera = open_small();
     if (!camera) return;
     const Stretch stretch = take(*camera, 140);
     check(!stretch.frames.empty() && stretch.frames.back().index < 1000, "our numbers go on");
@@ -172,7 +204,7 @@ void follows_a_count_that_wraps() {
 }
 
 void tells_why_it_cannot_start() {
-  auto camera = open_camera();
+  auto camera = open_small();
   const auto second = V4l2Camera::open({.path = kNode, .wish = {640, 360, 30}});
   check(!second && second.error().message.find("another program") != std::string::npos,
         "a camera in use says so");
@@ -180,12 +212,12 @@ void tells_why_it_cannot_start() {
   for (const char* injection : {"Inject VIDIOC_STREAMON Error", "Inject VIDIOC_REQBUFS Error"}) {
     check(DriverControl(kNode).set(injection, 1), injection);
     check(!V4l2Camera::open({.path = kNode}), "a start that fails is an error");
-    check(open_camera() != nullptr, "and the next start works");
+    check(open_small() != nullptr, "and the next start works");
   }
 }
 
 void hears_a_stop() {
-  auto camera = open_camera();
+  auto camera = open_small();
   if (!camera) return;
   std::stop_source stop;
   stop.request_stop();
@@ -194,7 +226,7 @@ void hears_a_stop() {
 }
 
 void comes_back_after_a_disconnect() {
-  auto camera = open_camera();
+  auto camera = open_small();
   if (!camera) return;
   take(*camera, 5);
   check(DriverControl(kNode).set("Disconnect", 1), "the camera is disconnected");
@@ -205,7 +237,7 @@ void comes_back_after_a_disconnect() {
   if (error) std::printf("  \"%s\"\n", error->message.c_str());
   // The driver is there again once its last user has let go.
   camera.reset();
-  camera = open_camera();
+  camera = open_small();
   if (camera) take(*camera, 5);
 }
 
@@ -219,6 +251,7 @@ int main() {
     void (*run)();
   } all[] = {{"lists itself", lists_itself},
              {"decodes every format", decodes_every_format},
+             {"changes its mode while it streams", changes_its_mode_while_it_streams},
              {"streams with the driver's clock", streams_with_the_drivers_clock},
              {"survives injected errors", survives_injected_errors},
              {"follows a count that wraps", follows_a_count_that_wraps},
