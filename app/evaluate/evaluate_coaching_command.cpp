@@ -9,6 +9,7 @@
 #include "app/pose_options.h"
 #include "app/progress_bar.h"
 #include "core/base/file.h"
+#include "core/pipeline/event_bench.h"
 #include "core/pipeline/fault_bench.h"
 
 namespace posecoach {
@@ -85,6 +86,15 @@ void print(const std::vector<BenchAgreement>& rows) {
                 row.metrics_within, row.metrics);
 }
 
+void print(const std::vector<BenchEventRow>& rows) {
+  std::printf("\n%-14s %-6s %-18s %8s %13s %8s %8s\n", "through", "motion", "event", "strokes",
+              "within 1/30 s", "late s", "spread");
+  for (const BenchEventRow& row : rows)
+    std::printf("%-14s %-6s %-18s %8d %13s %+8.3f %8.3f\n", std::string(to_string(row.eye)).c_str(),
+                row.motion.c_str(), row.event.c_str(), row.strokes, percent(row.within, row.strokes).c_str(),
+                row.late_s, row.spread_s);
+}
+
 nlohmann::ordered_json json_of(const std::vector<BenchRow>& rows, const std::vector<BenchAnswer>& answers,
                                bool lists_cases) {
   nlohmann::ordered_json json = {
@@ -109,6 +119,14 @@ nlohmann::ordered_json json_of(const std::vector<BenchRow>& rows, const std::vec
                                    {"scores_within", row.scores_within},
                                    {"metrics", row.metrics},
                                    {"metrics_within", row.metrics_within}});
+  for (const BenchEventRow& row : tally_events(answers))
+    json["events"].push_back({{"through", to_string(row.eye)},
+                              {"motion", row.motion},
+                              {"event", row.event},
+                              {"strokes", row.strokes},
+                              {"within_a_frame", row.within},
+                              {"late_s", row.late_s},
+                              {"spread_s", row.spread_s}});
   if (!lists_cases) return json;
   json["cases"] = nlohmann::json::array();
   for (const BenchAnswer& answer : answers) {
@@ -119,6 +137,7 @@ nlohmann::ordered_json json_of(const std::vector<BenchRow>& rows, const std::vec
                                   {"rank", answer.rank},
                                   {"amount_told", answer.amount_told},
                                   {"amount_true", answer.amount_true},
+                                  {"events_late_s", answer.events_late},
                                   {"advice", nlohmann::json::array()}};
     for (const Advice& advice : answer.advice)
       one["advice"].push_back(
@@ -165,6 +184,7 @@ Result<void> run(const Arguments& arguments, const PoseTrackerOptions& pose) {
   const std::vector<BenchRow> rows = tally(*answers);
   if (arguments.json != "-") {
     print(rows);
+    print(tally_events(*answers));
     print(agreement_of_frame_rates(*answers));
   }
   if (arguments.json.empty()) return {};

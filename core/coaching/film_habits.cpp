@@ -7,9 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/coaching/body_axes.h"
-#include "core/coaching/hand_path.h"
-#include "core/coaching/signal.h"
+#include "core/coaching/film_events.h"
 
 namespace posecoach {
 namespace {
@@ -67,15 +65,16 @@ constexpr std::array kEventRows = {
     EventRow{kFace, kSwing, "mid_downswing", {-0.028, 0.005}},
     EventRow{kFace, kSwing, "impact", {0, 0.004}},
     EventRow{kFace, kSwing, "mid_follow_through", {0.010, 0.006}},
+    EventRow{kFace, kSwing, "finish", {0, 0.017}},
     EventRow{kLine, kSwing, "address", {0.042, 0.048}},
-    // Sixteen milliseconds of simulated golfers, who all start alike; real ones do not.
-    EventRow{kLine, kSwing, "takeaway", {0.013, 0.030}},
-    EventRow{kLine, kSwing, "toe_up", {0.067, 0.022}},
+    EventRow{kLine, kSwing, "takeaway", {-0.034, 0.022}},
+    EventRow{kLine, kSwing, "toe_up", {0.005, 0.008}},
     EventRow{kLine, kSwing, "mid_backswing", {-0.037, 0.010}},
     EventRow{kLine, kSwing, "top", {-0.036, 0.009}},
     EventRow{kLine, kSwing, "mid_downswing", {-0.006, 0.005}},
     EventRow{kLine, kSwing, "impact", {-0.020, 0.006}},
     EventRow{kLine, kSwing, "mid_follow_through", {-0.022, 0.014}},
+    EventRow{kLine, kSwing, "finish", {0, 0.025}},
     EventRow{kFace, kPutt, "address", {0.004, 0.041}},
     EventRow{kFace, kPutt, "takeaway", {0.025, 0.050}},
     EventRow{kFace, kPutt, "top", {-0.034, 0.010}},
@@ -143,16 +142,6 @@ std::optional<FeatureHabit> row_of(Viewpoint view, StrokeKind kind, std::string_
   return std::nullopt;
 }
 
-// Seconds to each side of the hands' turn that its middle is read from.
-constexpr double kSwingTurn_s = 0.12, kPuttTurn_s = 0.2;
-
-std::vector<double> along(const std::vector<Vec3>& positions, const Vec3& direction) {
-  std::vector<double> values;
-  values.reserve(positions.size());
-  for (const Vec3& p : positions) values.push_back(glm::dot(p, direction));
-  return values;
-}
-
 // Where the answer says something quite different, the top is another than the other golfer's, and the hands
 // are believed.
 double top_from_angle(const SwingEvents& found, std::optional<double> answered_s) {
@@ -160,64 +149,6 @@ double top_from_angle(const SwingEvents& found, std::optional<double> answered_s
   const double seen = found.time_of("top");
   return answered_s && std::abs(*answered_s - seen) < kMostShift * (seen - found.takeaway_s) ? *answered_s
                                                                                              : seen;
-}
-
-// The middle of the hands' turn: from in front of a swing how high they are tells it (the depth of the hands
-// hides the rest), from down the line how far they are from where they rested, and over a putt their way to
-// the target.
-double turn_of_hands(const SwingEvents& found, const JointTrack& track, const Sight& sight, Viewpoint view,
-                     double slow) {
-  const bool is_putt = found.kind == kPutt;
-  const HandPath path = is_putt ? make_putt_path(track, sight) : make_hand_path(track, sight);
-  const auto sample = [&path](double time_s) {
-    return std::clamp(static_cast<int>(std::lround((time_s - path.begin_s) * kHandPathRate)), 0,
-                      path.count() - 1);
-  };
-  const int from = sample(found.time_of("top") - 2 * kSwingTurn_s * slow),
-            to = sample(found.time_of("top") + 2 * kSwingTurn_s * slow);
-  std::vector<double> way;
-  if (is_putt) {
-    const BodyAxes axes = body_axes(track, track.time(0), track.duration());
-    way = along(path.hands, -axes.left);
-  } else if (view == kFace) {
-    way = path.height;
-  } else {
-    const Vec3 rest = path.hands[static_cast<std::size_t>(sample(found.time_of("address")))];
-    for (const Vec3& hands : path.hands) way.push_back(glm::distance(hands, rest));
-  }
-  const int highest = index_of_largest(way, from, to);
-  const double half = (is_putt ? kPuttTurn_s : kSwingTurn_s) * slow * kHandPathRate;
-  const int degree = !is_putt && view == kFace ? 3 : 2;
-  return path.time(peak_of_curve(way, highest, half, degree));
-}
-
-// Down the line a backswing starts along the line of sight, and is seen late. When the hands have done a
-// tenth of their way to the top, as far as it is seen, this part of what then is left of the backswing is
-// already over.
-constexpr double kSeenPart = 0.1, kUnseenShare = 0.48;
-constexpr double kRestBefore_s = 0.2, kRestLasts_s = 0.1;
-constexpr double kWaySmoothing_s = 0.025;
-
-std::optional<double> takeaway_down_the_line(const SwingEvents& found, const JointTrack& student,
-                                             const Sight& sight) {
-  const HandPath path = make_hand_path(student, sight);
-  const auto sample = [&path](double time_s) {
-    return std::clamp(static_cast<int>(std::lround((time_s - path.begin_s) * kHandPathRate)), 0,
-                      path.count() - 1);
-  };
-  const double rested_s = found.takeaway_s - kRestBefore_s;
-  const int rest_first = sample(rested_s - kRestLasts_s), rest_last = sample(rested_s),
-            top = sample(found.time_of("top"));
-  Vec3 rest(0);
-  for (int i = rest_first; i <= rest_last; ++i)
-    rest += path.hands[static_cast<std::size_t>(i)] / static_cast<double>(rest_last - rest_first + 1);
-  std::vector<double> way;
-  for (const Vec3& hands : path.hands) way.push_back(glm::distance(hands, rest));
-  way = smoothed(way, kWaySmoothing_s * kHandPathRate);
-  const auto seen = crossing(way, top, rest_last, kSeenPart * way[static_cast<std::size_t>(top)]);
-  if (!seen) return std::nullopt;
-  const double seen_s = path.time(*seen);
-  return seen_s - kUnseenShare * (found.time_of("top") - seen_s);
 }
 
 }  // namespace
@@ -287,14 +218,18 @@ SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, 
   const auto habit = [&](std::string_view event) {
     return slow * event_habit(view, found.kind, event).late_s;
   };
+  const SeenStroke stroke{found, track, sight, view, slow};
+  const bool is_swing = found.kind == kSwing, is_line = view == kLine && is_swing;
   for (SwingEvent& event : right.events) {
     if (event.name == "top")
-      event.time_s = view == Viewpoint::Between ? top_from_angle(found, answered_top_s)
-                                                : turn_of_hands(found, track, sight, view, slow);
+      event.time_s = view == Viewpoint::Between ? top_from_angle(found, answered_top_s) : top_in_film(stroke);
+    if (event.name == "toe_up" && is_line) event.time_s = toe_up_down_the_line(stroke).value_or(event.time_s);
+    if (event.name == "finish" && view != Viewpoint::Between)
+      event.time_s = finish_in_film(stroke).value_or(event.time_s);
     event.time_s -= habit(event.name);
   }
-  if (view == kLine && found.kind == kSwing)
-    right.takeaway_s = takeaway_down_the_line(found, track, sight).value_or(found.takeaway_s);
+  if (is_line)
+    right.takeaway_s = takeaway_down_the_line(stroke, right.time_of("toe_up")).value_or(found.takeaway_s);
   right.takeaway_s = std::max(0.0, right.takeaway_s - habit("takeaway"));
   SwingEvent& address = right.events.front();
   address.time_s = std::max(0.0, std::min(address.time_s, right.takeaway_s));

@@ -15,10 +15,11 @@ namespace {
 constexpr double kToeUpPart = 0.45;
 constexpr int kSide = 2;  // samples to each side of a vertex that are looked at
 
-// Where the arms are level between the top and `end`, or, for a short swing, three quarters of the way up.
+// Where the arms are level between the top and `end`, or, for a short swing, three quarters of the way up. At
+// the top of a film they may seem to dip: what is nearest to `end` is meant.
 double level_or_part(const std::vector<double>& elevation, const std::vector<double>& way, int top, int end) {
   if (elevation[index(top)] > 0)
-    if (const auto level = crossing(elevation, top, end, 0)) return *level;
+    if (const auto level = crossing(elevation, end, top, 0)) return *level;
   return crossing(way, top, end, 0.75 * way[index(top)]).value_or(0.5 * (top + end));
 }
 

@@ -59,6 +59,16 @@ double true_amount(const Truth& faulty, const Truth& faultless, const Advice& ad
   return 0;
 }
 
+std::vector<std::pair<std::string, double>> events_late(const Analysis& analysis,
+                                                        const AuthoredMotion& truth) {
+  std::vector<std::pair<std::string, double>> late;
+  if (analysis.student_events.empty()) return late;
+  late.emplace_back("takeaway", analysis.student_takeaway_s - truth.time_of("takeaway"));
+  for (const SwingEvent& event : analysis.student_events)
+    late.emplace_back(event.name, event.time_s - truth.time_of(event.name));
+  return late;
+}
+
 }  // namespace
 
 bool BenchAnswer::is_amount_right() const {
@@ -81,6 +91,9 @@ Result<BenchAnswer> judge(const BenchCase& one, const StudentInput& student, con
   answer.percent = pair->analysis.score.percent;
   answer.plus_minus = pair->analysis.score.plus_minus;
   answer.metrics = pair->analysis.metrics;
+  const Result<AuthoredMotion> stroke = make_stroke_of(one);
+  if (!stroke) return tl::unexpected(stroke.error());
+  answer.events_late = events_late(pair->analysis, *stroke);
   for (const Advice& advice : pair->analysis.advice)
     if (advice.kind != AdviceKind::None) answer.advice.push_back(advice);
   if (!one.fault) return answer;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -65,6 +66,8 @@ struct BenchAnswer {
   double amount_told = 0, amount_true = 0;
   double plus_minus = 0;  // of the score
   std::vector<Metric> metrics = {};
+  // In the order of time, takeaway first; seconds after the truth. Empty where the stroke was not divided.
+  std::vector<std::pair<std::string, double>> events_late = {};
 
   bool is_amount_right() const;  // within a quarter
 };

@@ -125,6 +125,21 @@ TEST(SwingEvents, hold_when_the_joints_tremble_as_a_webcams_do) {
     EXPECT_NEAR(found.time_of(name), stroke.time_of(name), 1.5 * kFrame_s) << name;
 }
 
+// As films from in front show some golfers: shortly before the top the hands seem to drop below the
+// shoulders.
+TEST(SwingEvents, of_a_backswing_are_not_fooled_by_arms_that_seem_to_dip_before_the_top) {
+  const AuthoredMotion stroke = make_stroke();
+  const Skeleton& body = stroke.motion.skeleton();
+  const int left = body.find(HumanoidJoint::LeftWrist), right = body.find(HumanoidJoint::RightWrist);
+  const double dip_s = 0.5 * (stroke.time_of("mid_backswing") + stroke.time_of("top"));
+  const Motion seen = with_positions(stroke.motion, [&](int frame, int joint, const Vec3& p) {
+    const double off_s = std::abs(to_seconds(stroke.motion.time(frame)) - dip_s);
+    const bool is_dipping = (joint == left || joint == right) && off_s < 0.06;
+    return is_dipping ? p - Vec3(0, 0.3 * (1 - off_s / 0.06), 0) : p;
+  });
+  EXPECT_NEAR(events_of(seen).time_of("mid_backswing"), stroke.time_of("mid_backswing"), kFrame_s);
+}
+
 // A camera on the target line sees nothing of the hands' way: here it is anything, in every frame.
 TEST(SwingEvents, of_a_putt_down_the_line_are_told_by_the_shoulders_alone) {
   for (const double fps : {30.0, 60.0})

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/pipeline/event_bench.h"
 #include "tests/core/pipeline/filmed.h"
 #include "tests/core/retarget/motions.h"
 
@@ -91,6 +92,25 @@ TEST(FaultBench, tallies_what_was_answered) {
   EXPECT_EQ(rows[0].refused, 1);
   EXPECT_EQ(rows[0].percent_mean, 80);
   EXPECT_EQ(rows[1].false_alarms, 1);
+}
+
+TEST(FaultBench, tallies_how_late_events_are) {
+  BenchAnswer early{{"swing", nullptr, 0, {}, Handedness::Right, 30, BenchEye::FaceOn}, {}, 80, {}, 0, 0, 0};
+  early.events_late = {{"takeaway", -0.02}, {"top", 0.0}};
+  BenchAnswer late = early, putt = early, refused = early;
+  late.events_late = {{"takeaway", 0.06}, {"top", 0.0}};
+  putt.asked.motion = "putt";
+  refused.events_late = {};
+  const std::vector<BenchEventRow> rows = tally_events({putt, early, late, refused});
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].motion, "swing");
+  EXPECT_EQ(rows[0].event, "takeaway");
+  EXPECT_EQ(rows[0].strokes, 2);
+  EXPECT_EQ(rows[0].within, 1);
+  EXPECT_NEAR(rows[0].late_s, 0.02, 1e-12);
+  EXPECT_NEAR(rows[0].spread_s, 0.04, 1e-12);
+  EXPECT_EQ(rows[1].within, 2);
+  EXPECT_EQ(rows[3].motion, "putt");
 }
 
 // A camera and a pose stage whose errors are chance alone.
