@@ -95,6 +95,15 @@ void print(const std::vector<BenchEventRow>& rows) {
                 row.late_s, row.spread_s);
 }
 
+// What scripts/film-error-table makes the pose stage's usual errors of.
+void add(nlohmann::ordered_json& one, const StageGaps& film) {
+  const auto values = [](const Vec3& v) { return nlohmann::json::array({v.x, v.y, v.z}); };
+  one["sight"] = values(film.sight);
+  for (const StageGaps::Gap& gap : film.gaps)
+    one["stage_gaps"].push_back(
+        {{"joint", gap.joint}, {"stage", gap.stage}, {"offset_legs", values(gap.offset)}});
+}
+
 nlohmann::ordered_json json_of(const std::vector<BenchRow>& rows, const std::vector<BenchAnswer>& answers,
                                bool lists_cases) {
   nlohmann::ordered_json json = {
@@ -142,6 +151,7 @@ nlohmann::ordered_json json_of(const std::vector<BenchRow>& rows, const std::vec
     for (const Advice& advice : answer.advice)
       one["advice"].push_back(
           {{"text", advice.text}, {"fault", advice.fault}, {"severity", advice.severity}});
+    if (!answer.stage_gaps.gaps.empty()) add(one, answer.stage_gaps);
     json["cases"].push_back(std::move(one));
   }
   return json;

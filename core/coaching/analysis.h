@@ -99,6 +99,18 @@ struct Metric {
   std::string words = {};  // what the value says, where it is no quantity: "pelvis, chest, lead arm"
 };
 
+// Of a film: where the joints are seen beside the coach's, stage by stage of the stroke, the pelvis in one
+// place; leg lengths along a right-hander's left, up and front. Stages: core/coaching/film_error.h.
+struct StageGaps {
+  Vec3 sight{0, 0, 0};  // where the camera looks, along the same axes
+  struct Gap {
+    std::string joint;
+    int stage = 0;
+    Vec3 offset;
+  };
+  std::vector<Gap> gaps = {};
+};
+
 enum class AdviceKind { Timing, Spatial, None };
 
 struct Advice {
@@ -138,6 +150,7 @@ struct Analysis {
   std::vector<std::pair<int, int>> path;  // (student frame, coach frame), both never decreasing
   std::vector<double> path_error_m;       // mean joint error of each path step
   std::vector<JointError> joint_errors;   // worst first
+  StageGaps stage_gaps = {};              // none of motion capture
   std::vector<FramePair> worst_frames;    // at most 5, apart from each other in time
   std::string stroke;                     // "full swing" or "putt"
   std::vector<SwingEvent> student_events, coach_events;

@@ -6,6 +6,7 @@
 
 #include "core/coaching/alignment.h"
 #include "core/coaching/body_axes.h"
+#include "core/coaching/film_gaps.h"
 #include "core/coaching/film_habits.h"
 #include "core/coaching/metrics.h"
 #include "core/coaching/pose_alignment.h"
@@ -131,18 +132,31 @@ std::vector<Advice> most_important(const Analysis& analysis, const TimingResult&
   return all;
 }
 
-// By where the camera truly stood, as the coach, turned to face as the student does, tells it.
-UsualFilmError usual_film_error(const Alignment& alignment, StrokeKind kind) {
-  if (!alignment.sight.direction) return {};
+// What the camera saw, by where it truly stood, as the coach, turned to face as the student does, tells it.
+std::optional<FilmGaps> film_gaps(const Alignment& alignment, const SwingEvents& coach,
+                                  const Viewpoints& views) {
+  if (!alignment.sight.direction) return std::nullopt;
   const double begin_s = alignment.coach.time(0);
-  const Vec3 front = body_axes(alignment.coach, begin_s, begin_s + kAddress_s).front;
-  return {kind, line_share_of(*alignment.sight.direction, front)};
+  const BodyAxes axes = body_axes(alignment.coach, begin_s, begin_s + kAddress_s);
+  UsualFilmError usual_error(coach.kind, camera_deg_of(*alignment.sight.direction, axes.left, axes.front));
+  if (is_one_camera(views.coach)) usual_error = usual_error.between_films(is_filmed_alike(views));
+  return FilmGaps(alignment, FilmStages(coach), axes, std::max(leg_length(alignment.student), 0.1),
+                  usual_error);
+}
+
+StageGaps stage_gaps(const FilmGaps& film) {
+  StageGaps gaps{film.sight(), {}};
+  for (int stage = 0; stage < film.stages(); ++stage)
+    for (std::size_t k = 0; k < film.joints().size(); ++k)
+      gaps.gaps.push_back({std::string(to_string(film.joints()[k])), stage, film.seen(stage, k)});
+  return gaps;
 }
 
 void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrack& student,
-                 const JointTrack& coach, const UsualFilmError& usual_error) {
-  analysis.score = score_of(alignment, usual_error);
-  analysis.score.groups = group_scores_of(alignment, usual_error);
+                 const JointTrack& coach, const std::optional<FilmGaps>& film) {
+  analysis.score = score_of(alignment, film);
+  analysis.score.groups = group_scores_of(alignment, film);
+  if (film) analysis.stage_gaps = stage_gaps(*film);
   analysis.path = alignment.path;
   analysis.path_error_m = alignment.path_error_m;
   analysis.joint_errors = joint_errors_of(alignment);
@@ -152,7 +166,7 @@ void add_aligned(Analysis& analysis, const Alignment& alignment, const JointTrac
 }
 
 void add_strokes(Analysis& analysis, const Side& student, const Side& coach, const Alignment& alignment,
-                 const UsualFilmError& usual_error, const CompareOptions& options) {
+                 const std::optional<FilmGaps>& film, const CompareOptions& options) {
   const Viewpoint view = options.views.student;
   const JointTrack turned_coach =
       coach.track.mapped([&](const Vec3& p) { return turned(p, alignment.coach_yaw); });
@@ -173,7 +187,7 @@ void add_strokes(Analysis& analysis, const Side& student, const Side& coach, con
   if (timing.in_proportion) analysis.notes.push_back(text::other_pace(timing.pace, is_one_camera(view)));
   analysis.spatial = find_spatial_advice(swings, kMostAdvice);
   analysis.poses = match_poses(swings, alignment);
-  analysis.score.phases = phase_scores_of(alignment, *student.events, usual_error);
+  analysis.score.phases = phase_scores_of(alignment, *student.events, film);
   if (const std::string words = options.strictness.words(); !words.empty()) analysis.notes.push_back(words);
   analysis.metrics = measure_swing(swings);
   analysis.advice = most_important(analysis, timing, student, coach);
@@ -223,12 +237,10 @@ Result<Analysis> compare(const Motion& student_motion, const Motion& coach_motio
   analysis.coach_events = coach->events->events;
   analysis.coach_takeaway_s = coach->events->takeaway_s;
   analysis.coach_yaw = student->hand == Handedness::Left ? -alignment.coach_yaw : alignment.coach_yaw;
-  UsualFilmError usual_error = usual_film_error(alignment, coach->events->kind);
-  if (is_one_camera(options.views.coach))
-    usual_error = usual_error.between_films(is_filmed_alike(options.views));
-  add_aligned(analysis, alignment, student->track, coach->track, usual_error);
+  const std::optional<FilmGaps> film = film_gaps(alignment, *coach->events, options.views);
+  add_aligned(analysis, alignment, student->track, coach->track, film);
   if (student->events) {
-    add_strokes(analysis, *student, *coach, alignment, usual_error, options);
+    add_strokes(analysis, *student, *coach, alignment, film, options);
   } else if (analysis.score.percent < kLeastPercentWithoutEvents) {
     return fail(ErrorCode::Incomplete, options.student_name + ": " + student->reason.message);
   } else {

@@ -15,21 +15,17 @@ using enum HumanoidJoint;
 constexpr std::size_t kWorstFrames = 5;
 // A joint that the camera does not see at all may be this far from where it is said to be, metres.
 constexpr double kHiddenJointError_m = 0.08;
-// How much the usual error of films differs from film to film, as a part of itself.
-constexpr double kUsualErrorSpread = 0.12;
+// Of a film's usual errors, the part that their wavering is: they are means and two standard deviations.
+constexpr double kUsualErrorSpread = 1.0 / 3;
 
-double left_of(double error, double usual_error) {
-  return std::sqrt(std::max(0.0, error * error - usual_error * usual_error));
-}
-
-double percent_from(double error) {
-  return 100 / (1 + std::pow(error / kHalfScore, 1.5));
+double percent_from(double error, double half_score = kHalfScore) {
+  return 100 / (1 + std::pow(error / half_score, 1.5));
 }
 
 }  // namespace
 
-double percent_from_error(double mean_joint_error_m, double leg_length_m, double usual_error) {
-  return percent_from(left_of(mean_joint_error_m / std::max(leg_length_m, 0.1), usual_error));
+double percent_from_error(double mean_joint_error_m, double leg_length_m) {
+  return percent_from(mean_joint_error_m / std::max(leg_length_m, 0.1));
 }
 
 double leg_length(const JointTrack& track) {
@@ -87,22 +83,53 @@ std::vector<PartError> part_errors_of(const Alignment& alignment) {
   return parts;
 }
 
-// Of a film: what is left of every part's error, `off_m` more or less of it, when `times` its usual one is
-// taken off; the mean over the joints, leg lengths.
-double left_of(const std::vector<PartError>& parts, const UsualFilmError& usual_error, double leg_m,
-               double off_m, double times) {
+bool is_of(const BodyPart& part, HumanoidJoint joint) {
+  return std::find(part.joints.begin(), part.joints.end(), joint) != part.joints.end();
+}
+
+// Of a film: what is beyond `times` the usual errors, about the stages from `first` up to before `last`, when
+// every joint is `off` farther away.
+struct Doubt {
+  double off = 0, times = 1;
+};
+
+struct FilmPartError {
+  const char* name = "";
+  double error = 0, joints = 0;  // leg lengths
+};
+
+std::vector<FilmPartError> part_errors_of(const FilmGaps& film, int first, int last,
+                                          const Doubt& doubt = {}) {
+  std::vector<FilmPartError> parts;
+  for (const BodyPart& part : body_parts()) {
+    std::vector<std::size_t> joints;
+    for (std::size_t k = 0; k < film.joints().size(); ++k)
+      if (is_of(part, film.joints()[k])) joints.push_back(k);
+    if (joints.empty()) continue;
+    double beyond = 0;
+    for (int stage = first; stage < last; ++stage) {
+      double left = doubt.off;
+      for (const std::size_t joint : joints)
+        left += film.left(stage, joint) / static_cast<double>(joints.size());
+      beyond += std::max(0.0, left - doubt.times * film.usual_error().of(part.name, stage));
+    }
+    parts.push_back({part.name, beyond / (last - first), static_cast<double>(joints.size())});
+  }
+  return parts;
+}
+
+double percent_of(const FilmGaps& film, int first, int last, const Doubt& doubt = {}) {
   double sum = 0, joints = 0;
-  for (const PartError& part : parts) {
-    sum += part.joints *
-           left_of(std::max(0.0, part.mean_m() + off_m) / leg_m, times * usual_error.of(part.name));
+  for (const FilmPartError& part : part_errors_of(film, first, last, doubt)) {
+    sum += part.joints * part.error;
     joints += part.joints;
   }
-  return sum / joints;
+  return percent_from(sum / joints, kHalfFilmScore);
 }
 
 }  // namespace
 
-Score score_of(const Alignment& alignment, const UsualFilmError& usual_error) {
+Score score_of(const Alignment& alignment, const std::optional<FilmGaps>& film) {
   Score score;
   const double pairs = static_cast<double>(alignment.path_error_m.size());
   const double sum = std::accumulate(alignment.path_error_m.begin(), alignment.path_error_m.end(), 0.0);
@@ -110,10 +137,9 @@ Score score_of(const Alignment& alignment, const UsualFilmError& usual_error) {
   score.mean_joint_error_m = sum / pairs;
   score.raw = sum * score.joints_compared;
   const double leg = std::max(leg_length(alignment.student), 0.1);
-  const std::vector<PartError> parts = part_errors_of(alignment);
   const auto percent = [&](double off_m, double times) {
-    return usual_error.is_none() ? percent_from(std::max(0.0, score.mean_joint_error_m + off_m) / leg)
-                                 : percent_from(left_of(parts, usual_error, leg, off_m, times));
+    return film ? percent_of(*film, 0, film->stages(), {off_m / leg, times})
+                : percent_from(std::max(0.0, score.mean_joint_error_m + off_m) / leg);
   };
   score.percent = percent(0, 1);
   // Doubt widens the score; it never moves it.
@@ -125,27 +151,20 @@ Score score_of(const Alignment& alignment, const UsualFilmError& usual_error) {
   return score;
 }
 
-namespace {
-
-PartScore part_score(std::string name, double sum, double count, double leg_length_m,
-                     const UsualFilmError& usual_error) {
-  const double mean = count > 0 ? sum / count : 0;
-  const double percent = percent_from_error(mean, leg_length_m, usual_error.of(name));
-  return {std::move(name), mean, percent};
-}
-
-}  // namespace
-
-std::vector<PartScore> group_scores_of(const Alignment& alignment, const UsualFilmError& usual_error) {
+std::vector<PartScore> group_scores_of(const Alignment& alignment, const std::optional<FilmGaps>& film) {
   const double leg = leg_length(alignment.student);
+  const std::vector<FilmPartError> beyond =
+      film ? part_errors_of(*film, 0, film->stages()) : std::vector<FilmPartError>();
   std::vector<PartScore> scores;
   for (const PartError& part : part_errors_of(alignment))
-    scores.push_back(part_score(part.name, part.sum_m, part.joints, leg, usual_error));
+    scores.push_back({part.name, part.mean_m(),
+                      film ? percent_from(beyond[scores.size()].error, kHalfFilmScore)
+                           : percent_from_error(part.mean_m(), leg)});
   return scores;
 }
 
 std::vector<PartScore> phase_scores_of(const Alignment& alignment, const SwingEvents& student,
-                                       const UsualFilmError& usual_error) {
+                                       const std::optional<FilmGaps>& film) {
   const double leg = leg_length(alignment.student);
   const double top = student.time_of("top"), impact = student.time_of("impact");
   std::array<double, 3> sums{}, counts{};
@@ -155,10 +174,16 @@ std::vector<PartScore> phase_scores_of(const Alignment& alignment, const SwingEv
     sums[phase] += alignment.step_error_m[k];
     ++counts[phase];
   }
-  const auto score = [&](const char* name, std::size_t phase) {
-    return part_score(name, sums[phase], counts[phase], leg, usual_error);
-  };
-  return {score("backswing", 0), score("downswing", 1), score("follow_through", 2)};
+  const FilmStages::Phases begins = film ? film->phases() : FilmStages::Phases{};
+  std::vector<PartScore> scores;
+  for (std::size_t phase = 0; phase < 3; ++phase) {
+    constexpr std::array kNames = {"backswing", "downswing", "follow_through"};
+    const double mean_m = counts[phase] > 0 ? sums[phase] / counts[phase] : 0;
+    scores.push_back(
+        {kNames[phase], mean_m,
+         film ? percent_of(*film, begins[phase], begins[phase + 1]) : percent_from_error(mean_m, leg)});
+  }
+  return scores;
 }
 
 std::vector<JointError> joint_errors_of(const Alignment& alignment) {

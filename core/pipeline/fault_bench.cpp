@@ -94,6 +94,7 @@ Result<BenchAnswer> judge(const BenchCase& one, const StudentInput& student, con
   const Result<AuthoredMotion> stroke = make_stroke_of(one);
   if (!stroke) return tl::unexpected(stroke.error());
   answer.events_late = events_late(pair->analysis, *stroke);
+  answer.stage_gaps = pair->analysis.stage_gaps;
   for (const Advice& advice : pair->analysis.advice)
     if (advice.kind != AdviceKind::None) answer.advice.push_back(advice);
   if (!one.fault) return answer;

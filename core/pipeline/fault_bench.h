@@ -68,6 +68,7 @@ struct BenchAnswer {
   std::vector<Metric> metrics = {};
   // In the order of time, takeaway first; seconds after the truth. Empty where the stroke was not divided.
   std::vector<std::pair<std::string, double>> events_late = {};
+  StageGaps stage_gaps = {};
 
   bool is_amount_right() const;  // within a quarter
 };

@@ -9,7 +9,6 @@
 
 #include "core/coaching/alignment.h"
 #include "core/coaching/compare.h"
-#include "core/coaching/film_error.h"
 #include "tests/core/coaching/strokes.h"
 
 namespace posecoach {
@@ -169,31 +168,6 @@ TEST(FilmHabits, guessed_depths_do_not_turn_the_coach) {
       const Alignment alignment = align(seen, coach, window(JointTrack::from_motion(student).value()),
                                         window(coach), {.direction = sight});
       EXPECT_NEAR(degrees_from_radians(alignment.coach_yaw), 0, 4) << sight.x << " " << lean;
-    }
-}
-
-TEST(FilmErrors, motion_capture_has_none) {
-  EXPECT_TRUE(UsualFilmError().is_none());
-  EXPECT_EQ(UsualFilmError().of("head"), 0);
-}
-
-TEST(FilmErrors, go_over_from_one_side_to_the_other_with_the_cameras_angle) {
-  for (const StrokeKind kind : {StrokeKind::FullSwing, StrokeKind::Putt})
-    for (const char* part : {"trunk", "hips", "head", "lead_arm", "trail_leg", "downswing"}) {
-      const auto at = [&](double degrees) {
-        const double angle = radians_from_degrees(degrees);
-        const double share = line_share_of({std::sin(angle), -0.2, -std::cos(angle)}, {0, 0, 1});
-        return UsualFilmError(kind, share).of(part);
-      };
-      EXPECT_NEAR(at(180), at(0), 1e-12);
-      EXPECT_NEAR(at(20), at(-20), 1e-12);
-      const double least = std::min(at(0), at(90)), most = std::max(at(0), at(90));
-      EXPECT_GT(least, 0);
-      for (const double degrees : {10.0, 45.0, 70.0}) {
-        EXPECT_GE(at(degrees), least - 1e-12) << part;
-        EXPECT_LE(at(degrees), most + 1e-12) << part;
-      }
-      EXPECT_LT(std::abs(at(10) - at(0)), 0.1 * (most - least) + 1e-12) << part;
     }
 }
 
