@@ -102,7 +102,7 @@ const WindowModel& WindowProgram::model(double time_s, WindowState& state) {
   (void)keeping_->finish_jobs();
   if (wanted_screen_) state.screen = *std::exchange(wanted_screen_, std::nullopt);
   if (state.screen == ScreenName::SetUp) look_for_cameras();
-  model_.snapshot = live_->runner().snapshot();
+  model_.snapshot = in_the_windows_words(live_->runner().snapshot());
   follow_loop(*model_.snapshot, time_s);
   const SessionRecording recording = live_->recording();
   model_.is_recording = recording.is_on;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -50,6 +51,7 @@ class WindowProgram {
 
   // window_program_live.cpp
   void follow_loop(const CoachSnapshot& snapshot, double time_s);
+  std::shared_ptr<const CoachSnapshot> in_the_windows_words(std::shared_ptr<const CoachSnapshot> snapshot);
   void take_swing(const CoachSnapshot& snapshot);
   void keep_swing(std::shared_ptr<const AnalyzedSwing> swing);
   void choose_source(const std::string& source, bool is_remembered,
@@ -123,12 +125,14 @@ class WindowProgram {
   LoopState last_loop_ = LoopState::Off;
   double replay_until_s_ = 0;
   std::optional<ScreenName> wanted_screen_;
+  std::shared_ptr<const CoachSnapshot> told_lost_, worded_lost_;  // the same, as it is shown
   std::vector<std::filesystem::path> camera_files_;
   double looked_for_cameras_s_ = 0;
   std::optional<Rect> wanted_shot_;
   std::vector<Leftover> leftovers_;
   bool is_storing_marks_ = false;
-  std::optional<SwingDraft> recording_;  // the session that is being recorded
+  std::map<std::string, std::shared_ptr<const Image>> thumbnails_;  // by their files' digests
+  std::optional<SwingDraft> recording_;                             // the session that is being recorded
   bool wants_to_quit_ = false, wants_full_screen_ = false;
   std::unique_ptr<LiveSession> live_;
   // Last: their work uses the above. Keeping swings never waits for what the user asked for, nor he for it.

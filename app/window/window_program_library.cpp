@@ -29,9 +29,20 @@ std::string when_words(const WallTime& time) {
   return words;
 }
 
-using Thumbnails = std::map<std::string, std::shared_ptr<const Image>>;
+using Thumbnails = std::map<std::string, std::shared_ptr<const Image>>;  // by their files' digests
 
-SwingCard make_card(const Swing& swing, const std::vector<CoachChoice>& coaches, const Thumbnails& known) {
+// Read once: a swing that is analysed anew gets another.
+std::shared_ptr<const Image> thumbnail_of(const Swing& swing, const Thumbnails& known, Thumbnails& used) {
+  const auto file = swing.file("thumb");
+  if (!file) return nullptr;
+  const std::string& digest = swing.files.at(file->filename().string()).sha256;
+  if (const auto found = known.find(digest); found != known.end()) return used[digest] = found->second;
+  Result<Image> read = read_image(*file);
+  if (!read) return nullptr;
+  return used[digest] = std::make_shared<const Image>(*std::move(read));
+}
+
+SwingCard make_card(const Swing& swing, const std::vector<CoachChoice>& coaches) {
   SwingCard card;
   card.id = swing.id;
   card.is_trashed = swing.shelf == Shelf::Trash;
@@ -50,11 +61,6 @@ SwingCard make_card(const Swing& swing, const std::vector<CoachChoice>& coaches,
   card.score_percent = swing.facts.score_percent;
   card.seconds = swing.facts.seconds;
   card.is_starred = swing.facts.star;
-  if (const auto thumbnail = known.find(swing.id); thumbnail != known.end() && thumbnail->second)
-    card.thumbnail = thumbnail->second;
-  else if (const auto file = swing.file("thumb"))
-    if (Result<Image> image = read_image(*file))
-      card.thumbnail = std::make_shared<const Image>(*std::move(image));
   return card;
 }
 
@@ -90,11 +96,10 @@ Result<void> keep_answer(Library& library, const Swing& swing, const AnalyzedSwi
 
 void WindowProgram::refresh_swings() {
   if (!library_) return;
-  Thumbnails known;
-  for (const SwingCard& card : model_.swings) known[card.id] = card.thumbnail;
   keeping_->start(
       "Listing the swings",
-      [this, known, coaches = model_.coaches](const Progress&) -> Result<JobQueue::Finish> {
+      [this, known = thumbnails_, coaches = model_.coaches](const Progress&) -> Result<JobQueue::Finish> {
+        Thumbnails used;
         std::vector<SwingCard> cards;
         for (const Shelf shelf : {Shelf::Kept, Shelf::Trash}) {
           SwingQuery query;
@@ -103,9 +108,15 @@ void WindowProgram::refresh_swings() {
           if (!swings)
             return JobQueue::Finish(
                 [this, message = swings.error().message] { model_.library_message = message; });
-          for (const Swing& swing : *swings) cards.push_back(make_card(swing, coaches, known));
+          for (const Swing& swing : *swings) {
+            cards.push_back(make_card(swing, coaches));
+            cards.back().thumbnail = thumbnail_of(swing, known, used);
+          }
         }
-        return JobQueue::Finish([this, cards = std::move(cards)] { model_.swings = cards; });
+        return JobQueue::Finish([this, used, cards = std::move(cards)] {
+          model_.swings = cards;
+          thumbnails_ = used;
+        });
       },
       false);
 }
@@ -179,9 +190,11 @@ void WindowProgram::refresh_coaches() {
   model_.coaches.clear();
   for (const Reference& reference : references_.list()) {
     if (!reference.unreadable.empty()) continue;
-    model_.coaches.push_back(
-        {reference.source, reference.name,
-         reference.is_bundled() ? "Comes with the program" : "From " + reference.origin});
+    model_.coaches.push_back({reference.source, reference.name,
+                              reference.is_bundled() ? "Comes with the program"
+                              : reference.origin.find("swing_") != std::string::npos
+                                  ? "A recorded swing"
+                                  : "From " + reference.origin});
   }
 }
 
@@ -192,8 +205,10 @@ void WindowProgram::make_reference(const std::string& id) {
   const Result<Reference> reference = references_.add_swing(*swing);
   if (!reference) return tell(ToastKind::Warning, reference.error().message);
   refresh_coaches();
+  const std::string before = model_.coach;
   choose_coach(reference->source);
-  tell(ToastKind::Good, "Later swings are compared with " + reference->name + ".");
+  tell(ToastKind::Good, "Later swings are compared with " + reference->name + ".", "Undo",
+       intent::ChooseCoach{before});
 }
 
 void WindowProgram::import_file(const std::string& path, WindowState& state) {

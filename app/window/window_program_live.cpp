@@ -15,6 +15,8 @@ namespace {
 // As long as the pipeline shows its answer (CoachPipelineOptions).
 const double kReplay_s = CoachPipelineOptions{}.replay_s;
 
+constexpr std::string_view kCamera = "camera:";
+
 Result<std::filesystem::path> file_for_now(const std::filesystem::path& folder, std::string_view what,
                                            std::string_view extension) {
   std::error_code failed;
@@ -68,6 +70,28 @@ void WindowProgram::follow_loop(const CoachSnapshot& snapshot, double time_s) {
     last_loop_ = snapshot.loop;
   }
   model_.replay_seconds_left = std::max(0.0, replay_until_s_ - time_s);
+}
+
+// What went wrong with a camera, with the name that its list shows and without the command line's advice.
+std::shared_ptr<const CoachSnapshot> WindowProgram::in_the_windows_words(
+    std::shared_ptr<const CoachSnapshot> snapshot) {
+  if (snapshot->source_state != SourceState::Lost || !snapshot->source.starts_with(kCamera)) return snapshot;
+  if (snapshot == told_lost_) return worded_lost_;
+  told_lost_ = snapshot;
+  const std::string path =
+      snapshot->source.substr(kCamera.size(), snapshot->source.find('?') - kCamera.size());
+  std::string name = "The camera";
+  for (const CameraEntry& camera : model_.cameras)
+    if (camera.source == std::string(kCamera) + path && camera.name != camera.source) name = camera.name;
+  CoachSnapshot worded = *snapshot;
+  std::error_code failed;
+  if (!std::filesystem::exists(path, failed)) {
+    worded.source_message = name + " is not plugged in. Plug it in again: it is used by itself.";
+  } else if (const std::size_t at = worded.source_message.find("camera " + path); at != std::string::npos) {
+    worded.source_message.replace(at, path.size() + 7, name);
+  }
+  worded_lost_ = std::make_shared<const CoachSnapshot>(std::move(worded));
+  return worded_lost_;
 }
 
 void WindowProgram::take_swing(const CoachSnapshot& snapshot) {

@@ -24,9 +24,10 @@ std::vector<Reference> bundled_references() {
   std::vector<Reference> references;
   for (const std::string& name : bundled_motion_names()) {
     Reference reference;
-    reference.name = "Bundled " + name;
+    const bool is_putt = name == "putt";
+    reference.name = is_putt ? "Putt" : "Full swing";
     reference.source = std::string(kBundledPrefix) + name;
-    reference.stroke = name == "putt" ? "putt" : "full swing";
+    reference.stroke = is_putt ? "putt" : "full swing";
     reference.hand = Handedness::Right;
     references.push_back(std::move(reference));
   }

@@ -78,7 +78,7 @@ CoachSnapshot sample_snapshot(LoopState loop) {
   CoachSnapshot snapshot;
   snapshot.number = 1 + static_cast<std::uint64_t>(loop);
   snapshot.source_state = SourceState::Live;
-  snapshot.source = "USB camera, 1280 × 720 at 30";
+  snapshot.source = "camera:/dev/v4l/by-id/usb-046d_C920?width=1280&height=720&fps=30.00&format=MJPG";
   const Result<std::shared_ptr<const Image>> picture =
       review->swing->pictures->picture(static_cast<std::size_t>(moment()));
   POSECOACH_ASSERT(picture.has_value());
@@ -147,7 +147,7 @@ SampleWindow normal_window() {
   model.cameras = {{"camera:/dev/v4l/by-id/usb-046d_C920",
                     "HD Pro Webcam C920",
                     "/dev/video0, up to 1920 × 1080",
-                    {{1280, 720, 30, "MJPEG"}, {1920, 1080, 30, "MJPEG"}, {640, 480, 30, "YUYV"}}},
+                    {{1280, 720, 30, "MJPG"}, {1920, 1080, 30, "MJPG"}, {640, 480, 30, "YUYV"}}},
                    {"simulated:swing", "Simulated student, full swing", "No camera needed", {}},
                    {"simulated:putt", "Simulated student, putt", "No camera needed", {}}};
   model.source = model.cameras[0].source;

@@ -64,6 +64,19 @@ void draw_toast(const PanelContext& context, const Rect& area, const Toast& toas
                theme.text, 2);
 }
 
+// What long work says of itself, for people.
+std::string_view stage_words(std::string_view stage) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kWords = {
+      {{"poses", "finding your joints"},
+       {"retargeting", "carrying the coach over"},
+       {"film", "writing the film"},
+       {"filming", "writing the film"},
+       {"waiting", "waiting its turn"}}};
+  for (const auto& [said, words] : kWords)
+    if (said == stage) return words;
+  return stage;
+}
+
 void draw_job(const PanelContext& context, const Rect& area, const Job& job) {
   Ui& ui = context.ui;
   const Theme& theme = context.theme();
@@ -78,7 +91,7 @@ void draw_job(const PanelContext& context, const Rect& area, const Job& job) {
   Rect words = inner.take_top(20);
   const double title = std::min(ui.text_width(TextStyle::Strong, job.title) + 8, words.width);
   ui.text_in(TextStyle::Strong, words.take_left(title), job.title, theme.text);
-  ui.text_in(TextStyle::Caption, words, job.stage, theme.quiet);
+  ui.text_in(TextStyle::Caption, words, stage_words(job.stage), theme.quiet);
   draw_progress(ui, inner.take_bottom(6), job.fraction);
 }
 

@@ -217,21 +217,24 @@ void draw_swing_details(const PanelContext& context, const Rect& area) {
   }
   if (card->unreadable.empty()) {
     const bool is_picking = state.is_picking_second;
+    const bool is_itself = context.model.opened && context.model.opened->id == card->id;
     if (draw_button(ui, inner.take_top(38, 8),
                     {.id = "open",
                      .words = is_picking ? "Compare with this one" : "Review",
                      .icon = is_picking ? Icon::SideBySide : Icon::Review,
                      .look = ButtonLook::Primary,
-                     .hint = is_picking ? "Both are played together (Enter)" : "Look at it closely (Enter)"}))
+                     .hint = is_picking ? "Both are played together (Enter)" : "Look at it closely (Enter)",
+                     .is_enabled = !is_picking || !is_itself}))
       open(context, *card);
     Rect pair = inner.take_top(36, 8);
     if (draw_button(ui, pair.column(0, 2, 8),
                     {.id = "compare",
                      .words = "Compare",
                      .icon = Icon::SideBySide,
-                     .hint = context.model.opened ? "Beside the one that is open in Review"
-                                                  : "Open another swing first; then this one beside it",
-                     .is_enabled = context.model.opened.has_value()}))
+                     .hint = is_itself              ? "This one is open in Review: choose another to compare"
+                             : context.model.opened ? "Beside the one that is open in Review"
+                                                    : "Open another swing first; then this one beside it",
+                     .is_enabled = context.model.opened.has_value() && !is_itself && !is_picking}))
       context.want(intent::CompareWith{card->id});
     const std::string star_hint = context.hint("Found again under Starred", Command::ToggleStar);
     if (draw_button(ui, pair.column(1, 2, 8),

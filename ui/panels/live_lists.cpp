@@ -48,6 +48,18 @@ double row_height(const Ui& ui, const SetUpCheck& check, double width) {
   return 22 + ui.paragraph_height(TextStyle::Body, width - kSign - 8, check.words, 3) + 6;
 }
 
+// As its list names it, with the size of its pictures.
+std::string source_words(const WindowModel& model) {
+  const CoachSnapshot& snapshot = *model.snapshot;
+  std::string words = snapshot.source.empty() ? "No camera" : snapshot.source;
+  for (const CameraEntry& camera : model.cameras)
+    if (!camera.source.empty() && snapshot.source.starts_with(camera.source)) words = camera.name;
+  if (snapshot.frame && snapshot.frame->image)
+    words += ", " + std::to_string(snapshot.frame->image->width) + " × " +
+             std::to_string(snapshot.frame->image->height);
+  return words;
+}
+
 }  // namespace
 
 double set_up_checks_height(const PanelContext& context, double width) {
@@ -122,7 +134,7 @@ void draw_status_line(const PanelContext& context, const Rect& area) {
   const CoachSnapshot& snapshot = *context.model.snapshot;
   const LiveCounters& counters = snapshot.counters;
   const bool is_live = snapshot.source_state == SourceState::Live;
-  const std::string name = snapshot.source.empty() ? "No camera" : snapshot.source;
+  const std::string name = source_words(context.model);
   const double name_width = std::min(ui.text_width(TextStyle::Caption, name) + 22, 0.32 * row.width);
   Rect left = row.take_left(name_width, 18);
   ui.disc({left.x + 5, left.centre().y}, 4, is_live ? theme.good : theme.warning);

@@ -121,7 +121,7 @@ void draw_measuring(const PanelContext& context, const Rect& area) {
   Ui& ui = context.ui;
   const Theme& theme = context.theme();
   const Measuring& measuring = *context.model.snapshot->measuring;
-  const double width = std::min(460.0, area.width - 40), height = 300;
+  const double width = std::min(460.0, area.width - 40), height = 320;
   const Rect card{area.centre().x - 0.5 * width, area.centre().y - 0.5 * height, width, height};
   ui.shadow(card, radius::kLarge, 24);
   Rect inner = draw_card(ui, card, 24);
@@ -146,7 +146,7 @@ void draw_measuring(const PanelContext& context, const Rect& area) {
                                  : measuring.stage == Measuring::Stage::Done    ? "Measured"
                                                                                 : "Not measured";
   ui.text_in(TextStyle::Heading, inner.take_top(32), title, theme.text, Align::Centre);
-  ui.paragraph(TextStyle::Body, inner.take_top(44), measuring.words, theme.quiet, 2, Align::Centre);
+  ui.paragraph(TextStyle::Body, inner.take_top(66), measuring.words, theme.quiet, 3, Align::Centre);
   if (is_counting && draw_button(ui, {card.centre().x - 60, card.bottom() - 50, 120, 34},
                                  {.id = "stop measuring", .words = "Stop", .look = ButtonLook::Plain}))
     context.want(intent::StopMeasuring{});

@@ -74,7 +74,7 @@ void draw_waiting(Ui& ui, const Rect& area, int picture) {
   const std::string words = "Fetching picture " + std::to_string(picture + 1);
   const Pill pill{words, colour_from_hex(0xF3F6FA), colour_from_hex(0x0C1016).with_alpha(0.82F), Icon::None};
   const double width = std::min(pill_width(ui, pill) + 20, area.width - 20);
-  const Rect place{area.x + 10, area.bottom() - 36, width, 26};
+  const Rect place{area.right() - width - 10, area.bottom() - 36, width, 26};
   ui.fill(place, pill.paper, 0.5 * place.height);
   const double angle = 5 * ui.time_s();
   ui.ring({place.x + 15, place.centre().y}, 6, pill.ink.with_alpha(0.25F), 2);
@@ -87,7 +87,7 @@ void draw_unreadable(Ui& ui, const Rect& area, int picture) {
       "Picture " + std::to_string(picture + 1) + " cannot be read: the film is damaged or gone";
   const Pill pill{words, ui.theme().warning, colour_from_hex(0x0C1016).with_alpha(0.82F), Icon::Warning};
   const double width = std::min(pill_width(ui, pill), area.width - 20);
-  draw_pill(ui, {area.x + 10, area.bottom() - 36, width, 26}, pill);
+  draw_pill(ui, {area.right() - width - 10, area.bottom() - 36, width, 26}, pill);
 }
 
 }  // namespace
@@ -211,8 +211,10 @@ void draw_films(const PanelContext& context, const Rect& area) {
                    .zoom = state.fits_golfer ? golfer_zoom(*second.review, right, is_mirrored) : state.zoom,
                    .figures = state.figures});
   draw_marking(context, place, picture);
-  (void)draw_label(ui, left.corner() + Vec2(10), left.width - 305, first.title);
-  (void)draw_label(ui, right.corner() + Vec2(10), right.width - 20, second_title(model));
+  // Below: above are the tools.
+  const double y = area.bottom() - 34;
+  (void)draw_label(ui, {left.x + 10, y}, left.width - 20, first.title);
+  (void)draw_label(ui, {right.x + 10, y}, right.width - 20, second_title(model));
 }
 
 }  // namespace posecoach

@@ -53,8 +53,9 @@ void draw_modes(const PanelContext& context, const CameraEntry& camera, const Re
     choices.push_back({mode_words(camera.modes[i]), ""});
     if (context.model.mode == camera.modes[i]) chosen = static_cast<int>(i) + 1;
   }
-  const int picked = draw_dropdown(context.ui, "mode", area, choices[static_cast<std::size_t>(chosen)].title,
-                                   choices, chosen, Icon::SetUp);
+  const std::string shown =
+      chosen == 0 ? "Pictures: the best for swings" : choices[static_cast<std::size_t>(chosen)].title;
+  const int picked = draw_dropdown(context.ui, "mode", area, shown, choices, chosen, Icon::SetUp);
   if (picked < 0) return;
   std::optional<PictureMode> mode;
   if (picked > 0) mode = camera.modes[static_cast<std::size_t>(picked - 1)];

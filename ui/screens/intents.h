@@ -19,7 +19,7 @@ enum class ExportKind { OverlayFilm, DrawnFilm, Report, Csv, Bvh, Trc };
 struct PictureMode {
   int width = 0, height = 0;
   double fps = 0;
-  std::string format;  // "MJPEG", "YUYV"
+  std::string format;  // "MJPG", "YUYV"
   bool operator==(const PictureMode&) const = default;
 };
 

@@ -146,7 +146,8 @@ void draw_live_screen(const PanelContext& context, const Rect& area) {
     const ThemeScope over(context.ui, dialog);
     draw_source_message(context, rest);
   }
-  draw_measuring(context, rest);  // which shows him through
+  // Beside him: he wants to see how he stands.
+  draw_measuring(context, {rest.x, rest.y, kStateWide + 2 * kMargin, rest.height - kBar - kMargin});
   const double bar_width = std::min(bar.width, 1096.0);
   draw_live_controls(context, {bar.centre().x - 0.5 * bar_width, bar.y, bar_width, bar.height});
 }

@@ -167,14 +167,15 @@ int draw_dropdown(Ui& ui, std::string_view id, const Rect& rect, std::string_vie
     const Rect item{content.x, content.y + row * static_cast<double>(i), content.width, row};
     const Interaction over = ui.region("choice " + std::to_string(i), item);
     if (over.hovered || over.focused) ui.fill(item, theme.hovered, radius::kSmall);
-    Rect words = item.inset(10, has_details ? 5 : 0);
+    const bool has_detail = !choices[i].detail.empty();
+    Rect words = item.inset(10, has_detail ? 5 : 0);
     if (static_cast<int>(i) == chosen)
       draw_icon(ui, Icon::Check, words.take_right(16, 4).centre(), 16, theme.accent);
-    if (has_details) {
+    if (has_detail) {
       ui.text_in(TextStyle::Strong, words.take_top(0.5 * words.height), choices[i].title, theme.text);
       ui.text_in(TextStyle::Caption, words, choices[i].detail, theme.quiet);
     } else {
-      ui.text_in(TextStyle::Body, words, choices[i].title, theme.text);
+      ui.text_in(has_details ? TextStyle::Strong : TextStyle::Body, words, choices[i].title, theme.text);
     }
     if (over.clicked) picked = static_cast<int>(i);
   }
