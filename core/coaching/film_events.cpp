@@ -24,6 +24,10 @@ constexpr double kToeUpRise = 0.35;
 // Before the hands' first visible movement, which is seen late: their rest.
 constexpr double kRestBefore_s = 0.25, kRestLooked_s = 0.3;
 constexpr double kShortestStart_s = 0.15, kLongestStart_s = 1.6;
+// Of a putt: the shoulder line trembles more than it moves in a frame, and goes to and fro for longer.
+constexpr double kShoulderSmoothing_s = 0.035, kPuttTop_s = 0.3, kShortestPutt_s = 0.2, kLongestPutt_s = 3;
+// Of its way back, at two places on the way to the ball, and what the time between them is multiplied by.
+constexpr double kEarlyOnWay = 0.85, kLateOnWay = 0.4, kToBall = 1.6;
 constexpr double kRest_s = 0.4, kLeastRest_s = 0.1;
 constexpr double kShortestEnd_s = 0.25, kLongestEnd_s = 2;
 // Of several that tell the finish, who is further off than this is not believed.
@@ -117,6 +121,35 @@ double top_in_film(const SeenStroke& stroke) {
   const double half = (is_putt ? kPuttTurn_s : kSwingTurn_s) * stroke.slow * kHandPathRate;
   const int degree = !is_putt && is_face_on ? 3 : 2;
   return path.time(peak_of_curve(way, highest, half, degree));
+}
+
+std::optional<PuttDownTheLine> putt_down_the_line(const SeenStroke& stroke) {
+  if (!stroke.sight.direction) return std::nullopt;
+  const double slow = stroke.slow;
+  const HandPath path = make_hand_path(stroke.track, stroke.sight);
+  const Vec3 across = glm::cross(Vec3(0, 1, 0), *stroke.sight.direction);
+  std::vector<double> way;
+  for (const Vec3& line : path.shoulder_line) way.push_back(glm::dot(line, across));
+  way = smoothed(way, kShoulderSmoothing_s * slow * kHandPathRate);
+  const double top_s = stroke.found.time_of("top");
+  const int rested = sample_of(path, stroke.found.takeaway_s - kRestBefore_s * slow);
+  if (way[at(sample_of(path, top_s))] < way[at(rested)])
+    for (double& gone : way) gone = -gone;
+  const int highest = index_of_largest(way, sample_of(path, top_s - kPuttTop_s * slow),
+                                       sample_of(path, top_s + kPuttTop_s * slow));
+  const auto start =
+      fit_rest_before(way, std::max(samples(kLeastRest_s * slow), highest - samples(kLongestPutt_s * slow)),
+                      highest - samples(kShortestPutt_s * slow), highest, samples(kRest_s * slow));
+  if (!start) return std::nullopt;
+  const double rest = mean_of(way, std::max(0, *start - samples(kRest_s * slow)), *start);
+  const auto on_way = [&](double part) {
+    return crossing(way, highest, path.count() - 1, rest + part * (way[at(highest)] - rest));
+  };
+  const auto early = on_way(kEarlyOnWay), late = on_way(kLateOnWay);
+  if (!early || !late) return std::nullopt;
+  return PuttDownTheLine{path.time(*start),
+                         path.time(peak_of_curve(way, highest, samples(kPuttTurn_s * slow), 2)),
+                         path.time(*early + kToBall * (*late - *early))};
 }
 
 std::optional<double> toe_up_down_the_line(const SeenStroke& stroke) {

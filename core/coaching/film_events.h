@@ -21,8 +21,16 @@ struct SeenStroke {
   double slow = 1;  // how many times as slowly as usual it is played; times to look at grow with it
 };
 
-// The middle of the hands' turn.
+// The middle of the hands' turn: of swings, and of putts from in front.
 double top_in_film(const SeenStroke& stroke);
+
+// A putt seen down the line, told by how far the shoulder line has turned across the picture (pendulum.h).
+// Its rise and fall, of which a pose model shows a third, says less. Near the ball joints stick to where they
+// rested: how long they take on their way there tells when they pass it.
+struct PuttDownTheLine {
+  double takeaway_s = 0, top_s = 0, impact_s = 0;
+};
+std::optional<PuttDownTheLine> putt_down_the_line(const SeenStroke& stroke);
 
 // Of a full swing seen down the line. The shaft is level when the hands have risen a third of their way to
 // where the lead arm is, for the arms' angle takes in their depth.

@@ -58,7 +58,7 @@ struct EventRow {
 
 constexpr std::array kEventRows = {
     EventRow{kFace, kSwing, "address", {-0.012, 0.028}},
-    EventRow{kFace, kSwing, "takeaway", {0.020, 0.020}},
+    EventRow{kFace, kSwing, "takeaway", {0.002, 0.018}},
     EventRow{kFace, kSwing, "toe_up", {-0.007, 0.014}},
     EventRow{kFace, kSwing, "mid_backswing", {0.024, 0.019}},
     EventRow{kFace, kSwing, "top", {-0.024, 0.010}},
@@ -77,12 +77,13 @@ constexpr std::array kEventRows = {
     EventRow{kLine, kSwing, "finish", {0, 0.025}},
     EventRow{kFace, kPutt, "address", {0.004, 0.041}},
     EventRow{kFace, kPutt, "takeaway", {0.025, 0.050}},
-    EventRow{kFace, kPutt, "top", {-0.034, 0.010}},
-    EventRow{kFace, kPutt, "impact", {-0.023, 0.007}},
+    EventRow{kFace, kPutt, "top", {-0.028, 0.012}},
+    EventRow{kFace, kPutt, "impact", {-0.004, 0.008}},
     EventRow{kLine, kPutt, "address", {0.119, 0.097}},
-    EventRow{kLine, kPutt, "takeaway", {0.128, 0.085}},
-    EventRow{kLine, kPutt, "top", {-0.027, 0.009}},
-    EventRow{kLine, kPutt, "impact", {0.025, 0.041}},
+    EventRow{kLine, kPutt, "takeaway", {0.041, 0.070}},
+    EventRow{kLine, kPutt, "top", {-0.017, 0.012}},
+    // Four bodies differ by less than half of this; putts of others were up to 0.06 s off.
+    EventRow{kLine, kPutt, "impact", {-0.074, 0.035}},
 };
 
 struct MetricRow {
@@ -131,6 +132,8 @@ constexpr std::array kPhaseRows = {
     PhaseRow{kLine, kSwing, "takeaway", "top", {0, 1, 0}},
     PhaseRow{kLine, kSwing, "top", "mid_downswing", {0.103, 0.72, 0.28}},
     PhaseRow{kLine, kSwing, "top", "impact", {-0.040, 1, 0}},
+    PhaseRow{kFace, kPutt, "top", "impact", {0.034, 0.79, 0}},
+    PhaseRow{kLine, kPutt, "top", "impact", {0.035, 0.75, 0}},
     // Its beginning is seen a tenth of a second early or late: only half a backswing would be clear.
     PhaseRow{kLine, kPutt, "takeaway", "top", {0, 1, 0.55}},
 };
@@ -220,9 +223,13 @@ SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, 
   };
   const SeenStroke stroke{found, track, sight, view, slow};
   const bool is_swing = found.kind == kSwing, is_line = view == kLine && is_swing;
+  const auto putt = view == kLine && !is_swing ? putt_down_the_line(stroke) : std::nullopt;
   for (SwingEvent& event : right.events) {
     if (event.name == "top")
-      event.time_s = view == Viewpoint::Between ? top_from_angle(found, answered_top_s) : top_in_film(stroke);
+      event.time_s = view == Viewpoint::Between ? top_from_angle(found, answered_top_s)
+                     : putt                     ? putt->top_s
+                                                : top_in_film(stroke);
+    if (event.name == "impact" && putt) event.time_s = putt->impact_s;
     if (event.name == "toe_up" && is_line) event.time_s = toe_up_down_the_line(stroke).value_or(event.time_s);
     if (event.name == "finish" && view != Viewpoint::Between)
       event.time_s = finish_in_film(stroke).value_or(event.time_s);
@@ -230,6 +237,7 @@ SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, 
   }
   if (is_line)
     right.takeaway_s = takeaway_down_the_line(stroke, right.time_of("toe_up")).value_or(found.takeaway_s);
+  if (putt) right.takeaway_s = putt->takeaway_s;
   right.takeaway_s = std::max(0.0, right.takeaway_s - habit("takeaway"));
   SwingEvent& address = right.events.front();
   address.time_s = std::max(0.0, std::min(address.time_s, right.takeaway_s));

@@ -22,6 +22,8 @@ constexpr double kShortestWay_s = 0.2, kLongestWay_s = 3;
 constexpr double kMostAtRest = 0.25;
 // Of the way back, on each side of impact.
 constexpr double kPassing = 0.6;
+// Of the way back, that the hands are beyond their rest when the putter is at the ball: they lead it there.
+constexpr double kAhead = 0.1;
 // A putt is told from a settling of the joints by how far it goes in this time, too.
 constexpr double kQuick_s = 0.15;
 // Of a way, where it is first seen.
@@ -177,7 +179,8 @@ Result<StrokeMoments> find_putt(const HandPath& path, const std::vector<double>&
   const auto start = fit_start(forward, 0, top);
   if (!start || start->rest.deviation > kMostAtRest * std::abs(forward[index(top)] - start->rest.mean))
     return fail(ErrorCode::Incomplete, text::no_rest_before_the_stroke());
-  const auto impact = passing(forward, top, stroke->to, start->rest.mean);
+  const auto impact =
+      passing(forward, top, stroke->to, start->rest.mean + kAhead * (start->rest.mean - forward[at(top)]));
   if (!impact) return fail(ErrorCode::Incomplete, text::hands_do_not_come_back());
   const int fastest = index_of_largest(path.speed, static_cast<int>(*impact), stroke->to);
   const auto end = fit_end(forward, fastest);

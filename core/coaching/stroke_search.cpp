@@ -21,7 +21,7 @@ constexpr double kRestSmoothing = 0.03 * kHandPathRate;
 constexpr int kRestSamples = static_cast<int>(0.15 * kHandPathRate);
 // A movement starts with the third power of time (no jump in acceleration). It is seen once it has covered
 // this part of the way; where it began follows from two places further on.
-constexpr double kVisible = 0.01;
+constexpr double kVisible = 0.006;
 constexpr double kNearStart = 0.02, kFarStart = 0.10;
 constexpr double kNearRest = 0.001, kFarRest = 0.01;
 

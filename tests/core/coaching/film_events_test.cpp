@@ -113,6 +113,50 @@ TEST(FilmEvents, the_takeaway_is_found_of_golfers_who_start_slowly_and_quickly) 
   EXPECT_LT(latest - earliest, 2 * kFrame_s);
 }
 
+// What a pose model shows of a putt from behind: the hands stay where they are, the shoulder line turns
+// across the picture, and sticks to where it rested when it comes near.
+JointTrack putt_from_behind(const AuthoredMotion& putt, double sticks_within_m) {
+  const JointTrack track = JointTrack::from_motion(putt.motion).value();
+  const Skeleton& body = putt.motion.skeleton();
+  const int left = body.find(HumanoidJoint::LeftShoulder), right = body.find(HumanoidJoint::RightShoulder);
+  const auto line = [&](int frame) {
+    return track.position(frame, HumanoidJoint::LeftShoulder).z -
+           track.position(frame, HumanoidJoint::RightShoulder).z;
+  };
+  return JointTrack::from_motion(
+             with_positions(putt.motion,
+                            [&](int frame, int joint, const Vec3& p) {
+                              if (joint != left && joint != right) return p;
+                              const double turned = line(frame) - line(0);
+                              const double shown =
+                                  std::copysign(std::max(0.0, std::abs(turned) - sticks_within_m), turned);
+                              const double moved = 0.5 * (shown - turned);
+                              return p + Vec3(0, 0, joint == left ? moved : -moved);
+                            }))
+      .value();
+}
+
+TEST(FilmEvents,
+     of_a_putt_from_behind_are_told_by_the_shoulders_however_long_it_takes_and_however_they_stick) {
+  for (const double sticks_m : {0.0, 0.004}) {
+    const auto late = [&](double factor) {
+      GolfScript script = bundled_script("putt").value();
+      script.stretch("top", "impact", factor);
+      const AuthoredMotion putt = make_stroke(script, {.name = "putt", .frames_per_second = 30});
+      const JointTrack seen = putt_from_behind(putt, sticks_m);
+      const SwingEvents found = find_swing_events(JointTrack::from_motion(putt.motion).value()).value();
+      const PuttDownTheLine told =
+          putt_down_the_line({found, seen, kFromBehind, Viewpoint::DownTheLine}).value();
+      EXPECT_NEAR(told.top_s, putt.time_of("top"), 2 * kFrame_s) << sticks_m;
+      EXPECT_NEAR(told.takeaway_s, putt.time_of("takeaway"), 3 * kFrame_s) << sticks_m;
+      return told.impact_s - putt.time_of("impact");
+    };
+    const double usual_s = late(1);
+    EXPECT_LT(std::abs(usual_s), 0.1);
+    for (const double factor : {0.8, 1.5}) EXPECT_NEAR(late(factor), usual_s, 1.2 * kFrame_s) << sticks_m;
+  }
+}
+
 TEST(FilmEvents, are_as_late_in_slow_motion_as_it_is_slow) {
   const Film film = film_of(bundled_script("swing").value());
   const JointTrack slow = JointTrack::from_motion(slowed_by(film.stroke.motion, 3)).value();
