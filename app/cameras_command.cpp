@@ -47,7 +47,8 @@ void print(const std::vector<CameraDescription>& cameras) {
                   pixel_format_name(mode.pixel_format).c_str(), rates_text(mode).c_str());
     }
   }
-  std::printf("\n* is taken unless you ask for another: camera:PATH?width=1280&height=720&fps=30&format=MJPG\n");
+  std::printf(
+      "\n* is taken unless you ask for another: camera:PATH?width=1280&height=720&fps=30&format=MJPG\n");
 }
 
 std::string json_of(const std::vector<CameraDescription>& cameras) {

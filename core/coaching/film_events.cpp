@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/coaching/body_axes.h"
 #include "core/coaching/hand_path.h"
 #include "core/coaching/signal.h"
@@ -33,10 +34,6 @@ constexpr double kShortestEnd_s = 0.25, kLongestEnd_s = 2;
 // Of several that tell the finish, who is further off than this is not believed.
 constexpr double kFarFromOthers_s = 0.2;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 int samples(double seconds) {
   return static_cast<int>(std::lround(seconds * kHandPathRate));
 }
@@ -47,7 +44,7 @@ int sample_of(const HandPath& path, double time_s) {
 
 double mean_of(const std::vector<double>& values, int first, int last) {
   double sum = 0;
-  for (int i = first; i <= last; ++i) sum += values[at(i)];
+  for (int i = first; i <= last; ++i) sum += values[index(i)];
   return sum / (last - first + 1);
 }
 
@@ -80,7 +77,7 @@ const std::vector<Settling>& settling_down_the_line() {
 // `from` and `until` to where it is at `goal`, weighed by that way's length; in samples of `fine`.
 std::vector<double> way_in_picture(const JointTrack& fine, const Sight& sight, const std::vector<Seen>& seen,
                                    std::pair<int, int> rest, int goal) {
-  std::vector<double> way(at(fine.frame_count()), 0.0);
+  std::vector<double> way(index(fine.frame_count()), 0.0);
   for (const Seen& one : seen) {
     const auto place = [&](int i) {
       Vec3 p = fine.position(i, one.joint) - (one.over ? fine.position(i, *one.over) : Vec3(0));
@@ -91,7 +88,7 @@ std::vector<double> way_in_picture(const JointTrack& fine, const Sight& sight, c
     for (int i = rest.first; i <= rest.second; ++i)
       rests += place(i) / static_cast<double>(rest.second - rest.first + 1);
     const Vec3 goes = place(goal) - rests;
-    for (int i = 0; i < fine.frame_count(); ++i) way[at(i)] += glm::dot(place(i) - rests, goes);
+    for (int i = 0; i < fine.frame_count(); ++i) way[index(i)] += glm::dot(place(i) - rests, goes);
   }
   return way;
 }
@@ -113,7 +110,7 @@ double top_in_film(const SeenStroke& stroke) {
   } else if (is_face_on) {
     way = path.height;
   } else {
-    const Vec3 rest = path.hands[at(sample_of(path, found.time_of("address")))];
+    const Vec3 rest = path.hands[index(sample_of(path, found.time_of("address")))];
     for (const Vec3& hands : path.hands) way.push_back(glm::distance(hands, rest));
   }
   const int highest = index_of_largest(way, sample_of(path, found.time_of("top") - looked_s),
@@ -133,7 +130,7 @@ std::optional<PuttDownTheLine> putt_down_the_line(const SeenStroke& stroke) {
   way = smoothed(way, kShoulderSmoothing_s * slow * kHandPathRate);
   const double top_s = stroke.found.time_of("top");
   const int rested = sample_of(path, stroke.found.takeaway_s - kRestBefore_s * slow);
-  if (way[at(sample_of(path, top_s))] < way[at(rested)])
+  if (way[index(sample_of(path, top_s))] < way[index(rested)])
     for (double& gone : way) gone = -gone;
   const int highest = index_of_largest(way, sample_of(path, top_s - kPuttTop_s * slow),
                                        sample_of(path, top_s + kPuttTop_s * slow));
@@ -143,7 +140,7 @@ std::optional<PuttDownTheLine> putt_down_the_line(const SeenStroke& stroke) {
   if (!start) return std::nullopt;
   const double rest = mean_of(way, std::max(0, *start - samples(kRest_s * slow)), *start);
   const auto on_way = [&](double part) {
-    return crossing(way, highest, path.count() - 1, rest + part * (way[at(highest)] - rest));
+    return crossing(way, highest, path.count() - 1, rest + part * (way[index(highest)] - rest));
   };
   const auto early = on_way(kEarlyOnWay), late = on_way(kLateOnWay);
   if (!early || !late) return std::nullopt;
@@ -159,7 +156,7 @@ std::optional<double> toe_up_down_the_line(const SeenStroke& stroke) {
   for (const Vec3& arms : path.arms) height.push_back(arms.y);
   const int rest = sample_of(path, rested_s), level = sample_of(path, stroke.found.time_of("mid_backswing"));
   const double hanging = mean_of(height, sample_of(path, rested_s - 0.5 * kRestLooked_s * stroke.slow), rest);
-  const auto crossed = crossing(height, level, rest, hanging + kToeUpRise * (height[at(level)] - hanging));
+  const auto crossed = crossing(height, level, rest, hanging + kToeUpRise * (height[index(level)] - hanging));
   return crossed ? std::optional(path.time(*crossed)) : std::nullopt;
 }
 

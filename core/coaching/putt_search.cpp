@@ -180,7 +180,7 @@ Result<StrokeMoments> find_putt(const HandPath& path, const std::vector<double>&
   if (!start || start->rest.deviation > kMostAtRest * std::abs(forward[index(top)] - start->rest.mean))
     return fail(ErrorCode::Incomplete, text::no_rest_before_the_stroke());
   const auto impact =
-      passing(forward, top, stroke->to, start->rest.mean + kAhead * (start->rest.mean - forward[at(top)]));
+      passing(forward, top, stroke->to, start->rest.mean + kAhead * (start->rest.mean - forward[index(top)]));
   if (!impact) return fail(ErrorCode::Incomplete, text::hands_do_not_come_back());
   const int fastest = index_of_largest(path.speed, static_cast<int>(*impact), stroke->to);
   const auto end = fit_end(forward, fastest);
