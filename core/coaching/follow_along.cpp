@@ -28,6 +28,15 @@ constexpr double kLeftAddress_m = 0.01, kNewAddress_s = 1.2;
 // to a new swing, or as his body is measured anew.
 constexpr double kSteppedUpAgain = 0.5, kFarFromCoach_m = 0.08;
 constexpr double kTurnWorthLooking = radians_from_degrees(1);
+// Hands that rise by less than this part of the torso putt; their stroke is hidden where it goes this many
+// times as far along the line of sight as across it.
+constexpr double kPuttRise = 0.3, kHidden = 1.5;
+constexpr double kNewSight = radians_from_degrees(10);
+// How much the shoulder line trembles of somebody who stands still, as a camera shows it; more of it is seen
+// of the coach.
+constexpr double kTurnTremble_m = 0.004, kTurnTrembleOfCoach_m = 0.0055;
+constexpr double kTurnAtAddress_m = 0.005;
+constexpr double kWalking = 0.3;
 
 std::vector<HumanoidJoint> compared_joints(const JointTrack& coach) {
   std::vector<HumanoidJoint> joints;
@@ -118,26 +127,97 @@ void FollowAlong::look_from(double yaw, const Sight& sight) {
   yaw_ = yaw;
   sight_ = sight;
   warp_ = OnlineWarp(coach_poses(), kLookAhead);
+  turn_warp_.reset();
+  if (!hides_stroke()) return;
+  if (glm::dot(turn_sight_, *sight_.direction) < std::cos(kNewSight)) {
+    turn_sight_ = *sight_.direction;
+    turn_.reset();
+  }
+  turn_warp_.emplace(coach_turns(), kLookAhead);
+}
+
+bool FollowAlong::hides_stroke() const {
+  if (!sight_.direction) return false;
+  const auto hands = [&](int frame) {
+    return turned(0.5 * (coach_.position(frame, HumanoidJoint::LeftWrist) +
+                         coach_.position(frame, HumanoidJoint::RightWrist)) -
+                      coach_.position(frame, HumanoidJoint::Pelvis),
+                  yaw_);
+  };
+  double along = 0, across = 0, rise = 0;
+  for (int frame = 0; frame < coach_.frame_count(); ++frame) {
+    const Vec3 away = hands(frame) - hands(0);
+    const double hidden = glm::dot(away, *sight_.direction);
+    along = std::max(along, std::abs(hidden));
+    across = std::max(across, glm::length(away - hidden * *sight_.direction));
+    rise = std::max(rise, away.y);
+  }
+  const double torso =
+      glm::distance(coach_.position(0, HumanoidJoint::Neck), coach_.position(0, HumanoidJoint::Pelvis));
+  return rise < kPuttRise * torso && along > kHidden * across;
+}
+
+double FollowAlong::turn_of(const Vec3& left_shoulder, const Vec3& right_shoulder) const {
+  return glm::dot(left_shoulder - right_shoulder, glm::cross(Vec3(0, 1, 0), turn_sight_));
+}
+
+PoseSequence FollowAlong::coach_turns() const {
+  PoseSequence turns(coach_.frame_count(), 1);
+  ShoulderTurn turn;
+  for (int frame = 0; frame < coach_.frame_count(); ++frame) {
+    turn.step(media_time_from_seconds(coach_.time(frame)),
+              turn_of(turned(coach_.position(frame, HumanoidJoint::LeftShoulder), yaw_),
+                      turned(coach_.position(frame, HumanoidJoint::RightShoulder), yaw_)));
+    if (frame == 0) turn.rest_here(1);
+    set_pose(turns, frame, 0, turn.phase(kTurnTrembleOfCoach_m), 1);
+  }
+  return turns;
 }
 
 double FollowAlong::coach_time_s() const {
-  return coach_.time(warp_.position());
+  return coach_.time(position());
 }
 
 void FollowAlong::start_over() {
   warp_.reset();
-  is_following_ = false;
+  if (turn_warp_) turn_warp_->reset();
+  is_following_ = has_walked_ = false;
   habit_.clear();
   away_s_ = 0;
 }
 
 bool FollowAlong::is_at_address(const JointMoment& student, double yaw, const Sight& sight, double seconds) {
-  if (speed_.still_s() < kStillAtAddress_s || (warp_.position() != 0 && !is_following_)) {
+  if (speed_.still_s() < kStillAtAddress_s || (position() != 0 && !is_following_)) {
     away_s_ = 0;
     return false;
   }
   if (!is_following_) look_from(yaw, sight);
   if (warp_.distance_m(pose_of(student, {}), 0) > kNearAddress_m) return false;
+  return turn_warp_ ? has_shoulders_at_address(seconds) : is_near_address(student, seconds);
+}
+
+// His hands seem to stand still all the way.
+bool FollowAlong::has_shoulders_at_address(double seconds) {
+  if (turn_.still_s() < kStillAtAddress_s) {
+    away_s_ = 0;
+    return false;
+  }
+  if (!is_following_) return true;
+  if (!has_walked_ && std::abs(turn_.away_m()) < kTurnAtAddress_m) {
+    away_s_ = 0;
+    return true;
+  }
+  const Vec3 phase = turn_.phase(kTurnTremble_m);
+  const auto at = static_cast<std::size_t>(position());
+  const Vec3 of_coach(turn_warp_->coach().x(0)[at], turn_warp_->coach().y(0)[at], 0);
+  if (!has_walked_ && glm::length(phase) > glm::distance(phase, of_coach)) return false;
+  away_s_ += seconds;
+  if (away_s_ < kNewAddress_s && !has_walked_) return false;
+  start_over();
+  return true;
+}
+
+bool FollowAlong::is_near_address(const JointMoment& student, double seconds) {
   const PoseSequence pose = pose_of(student, habit_);
   const double from_address = warp_.distance_m(pose, 0);
   // Standing still elsewhere in the stroke is waiting, not a new beginning.
@@ -160,10 +240,17 @@ double FollowAlong::step(MediaTime time, const JointMoment& student, double yaw,
     last_time_.reset();
   }
   speed_.step(time, student, sight);
+  if (turn_warp_) {
+    turn_.step(time,
+               turn_of(student.at(HumanoidJoint::LeftShoulder), student.at(HumanoidJoint::RightShoulder)));
+    has_walked_ = has_walked_ || speed_.feet() > kWalking;
+  }
   const double seconds = last_time_ ? to_seconds(time - *last_time_) : 0;
   if (is_at_address(student, yaw, sight, seconds)) {
     warp_.reset();
+    if (turn_warp_) turn_warp_->reset();
     look_from(yaw, sight);
+    turn_.rest_here(is_following_ ? 1 - std::exp(-seconds / kAddressSteadied_s) : 1);
     learn_habit(pose_of(student, {}), seconds);
     is_following_ = true;
     last_time_ = time;
@@ -171,6 +258,7 @@ double FollowAlong::step(MediaTime time, const JointMoment& student, double yaw,
     fed_s_ = 0;
   }
   if (is_following_) follow(time, student);
+  last_turn_ = turn_.phase(kTurnTremble_m);
   last_time_ = time;
   last_ = student;
   return coach_time_s();
@@ -179,13 +267,21 @@ double FollowAlong::step(MediaTime time, const JointMoment& student, double yaw,
 void FollowAlong::follow(MediaTime time, const JointMoment& student) {
   constexpr double kStep_s = 1 / kAlignmentRate;
   const double seconds = to_seconds(time - *last_time_);
+  const auto step = [&](double part) {
+    if (!turn_warp_) {
+      warp_.step(pose_of(between(last_, student, part), habit_));
+      return;
+    }
+    PoseSequence turn(1, 1);
+    set_pose(turn, 0, 0, glm::mix(last_turn_, turn_.phase(kTurnTremble_m), part), 1);
+    turn_warp_->step(turn);
+  };
   if (seconds <= 0) {
-    warp_.step(pose_of(student, habit_));
+    step(1);
     return;
   }
   double next = kStep_s - fed_s_;
-  for (; next <= seconds; next += kStep_s)
-    warp_.step(pose_of(between(last_, student, next / seconds), habit_));
+  for (; next <= seconds; next += kStep_s) step(next / seconds);
   fed_s_ = seconds - (next - kStep_s);
 }
 

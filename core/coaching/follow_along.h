@@ -1,5 +1,7 @@
 // The coach at the student's own pace: he waits at his address until the student stands still at his, goes
-// through the stroke with him, waits when he waits, and starts over when he is back at address.
+// through the stroke with him, waits when he waits, and starts over when he is back at address. Of a putt
+// seen along the target line only the shoulders show how far it is; everything else would drown that in its
+// trembling.
 #pragma once
 
 #include <optional>
@@ -9,6 +11,7 @@
 #include "core/coaching/hand_speed.h"
 #include "core/coaching/joint_moment.h"
 #include "core/coaching/online_dtw.h"
+#include "core/coaching/shoulder_turn.h"
 
 namespace posecoach {
 
@@ -27,9 +30,15 @@ class FollowAlong {
   PoseSequence coach_poses() const;
   PoseSequence pose_of(const JointMoment& student, const std::vector<Vec3>& habit) const;
   bool is_at_address(const JointMoment& student, double yaw, const Sight& sight, double seconds);
+  bool is_near_address(const JointMoment& student, double seconds);
+  bool has_shoulders_at_address(double seconds);
   void learn_habit(const PoseSequence& at_address, double seconds);
   void look_from(double yaw, const Sight& sight);
   void follow(MediaTime time, const JointMoment& student);
+  int position() const { return turn_warp_ ? turn_warp_->position() : warp_.position(); }
+  bool hides_stroke() const;
+  PoseSequence coach_turns() const;
+  double turn_of(const Vec3& left_shoulder, const Vec3& right_shoulder) const;
 
   JointTrack coach_;  // the stroke at kAlignmentRate
   std::vector<HumanoidJoint> joints_;
@@ -37,6 +46,12 @@ class FollowAlong {
   double yaw_ = 0;
   Sight sight_;
   OnlineWarp warp_;
+  // Of a putt along the line of sight: the warp that counts, and what it goes by.
+  std::optional<OnlineWarp> turn_warp_;
+  ShoulderTurn turn_;
+  Vec3 turn_sight_;  // the line of sight that turn_ was measured across; kept while he stands there
+  Vec3 last_turn_;
+  bool has_walked_ = false;
   std::vector<Vec3> habit_;  // of each joint at address, the student's place less the coach's; as seen
   HandSpeed speed_;
   bool is_following_ = false;

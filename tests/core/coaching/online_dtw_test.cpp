@@ -241,5 +241,94 @@ TEST(FollowAlong, a_pause_at_the_top_is_no_new_beginning) {
   EXPECT_NEAR(f.coach_s, f.own.begin_s + 2 * half, 0.1);
 }
 
+// A putt as a camera behind the golfer shows it: his hands tremble where they are, all joints do, and of the
+// shoulder line's turn there is a part.
+struct PuttFromBehind {
+  Stroke own = stroke("putt");
+  JointTrack track = JointTrack::from_motion(own.motion).value();
+  FollowAlong follow{track, {own.begin_s, own.end_s}};
+  double shown = 0.4;
+  double clock_s = 0, coach_s = 0;
+  std::vector<double> off_s;
+  std::mt19937 random{9};
+  std::normal_distribution<double> tremble{0, 0.0008};
+
+  void step(double stroke_s, double aside_m = 0) {
+    clock_s += 1 / 30.0;
+    JointMoment moment = moment_of(track, stroke_s);
+    const JointMoment rest = moment_of(track, own.begin_s);
+    for (const HumanoidJoint joint : {HumanoidJoint::LeftShoulder, HumanoidJoint::RightShoulder}) {
+      Vec3& place = moment.positions[static_cast<std::size_t>(joint)];
+      place = glm::mix(rest.at(joint), place, shown);
+    }
+    for (const HumanoidJoint joint : {HumanoidJoint::LeftWrist, HumanoidJoint::RightWrist})
+      moment.positions[static_cast<std::size_t>(joint)] = rest.at(joint);
+    for (Vec3& place : moment.positions)
+      place += Vec3(tremble(random), tremble(random), tremble(random) + aside_m);
+    coach_s = follow.step(media_time_from_seconds(clock_s), moment, 0, {Vec3(1, 0, 0)});
+    off_s.push_back(std::abs(coach_s - stroke_s));
+  }
+  void stand(double seconds, double stroke_s) {
+    for (double t = 0; t < seconds; t += 1 / 30.0) step(stroke_s);
+  }
+  // From one time of the stroke to another, `pace` times as fast as the coach.
+  void play(double from_s, double to_s, double pace = 1) {
+    for (double t = 0; t < (to_s - from_s) / pace; t += 1 / 30.0) step(from_s + pace * t);
+  }
+  double median_off_s() {
+    std::nth_element(off_s.begin(), off_s.begin() + static_cast<std::ptrdiff_t>(off_s.size() / 2),
+                     off_s.end());
+    return off_s[off_s.size() / 2];
+  }
+};
+
+TEST(FollowAlong, goes_with_a_putt_from_behind_however_much_of_it_is_shown) {
+  for (const double shown : {0.35, 1.0})
+    for (const double pace : {0.75, 1.0, 1.25}) {
+      PuttFromBehind f;
+      f.shown = shown;
+      f.stand(3, f.own.begin_s);
+      EXPECT_NEAR(f.coach_s, f.own.begin_s, 0.02) << shown << " " << pace;
+      f.off_s.clear();
+      f.play(f.own.begin_s, f.own.end_s, pace);
+      EXPECT_LT(f.median_off_s(), 0.2) << shown << " " << pace;
+      EXPECT_NEAR(f.coach_s, f.own.end_s, 0.3) << shown << " " << pace;
+    }
+}
+
+TEST(FollowAlong, waits_at_the_top_of_a_putt_from_behind_and_holds_its_end) {
+  PuttFromBehind f;
+  const double top_s = 1.34;
+  f.stand(2, f.own.begin_s);
+  f.play(f.own.begin_s, top_s);
+  f.stand(3, top_s);
+  EXPECT_NEAR(f.coach_s, top_s, 0.25);
+  f.play(top_s, f.own.end_s);
+  f.stand(4, f.own.end_s);
+  EXPECT_NEAR(f.coach_s, f.own.end_s, 0.3);
+}
+
+TEST(FollowAlong, starts_over_with_who_steps_up_to_another_putt_from_behind) {
+  PuttFromBehind f;
+  f.stand(2, f.own.begin_s);
+  f.play(f.own.begin_s, f.own.end_s);
+  f.stand(1, f.own.end_s);
+  for (int i = 1; i <= 45; ++i) f.step(f.own.end_s, i / 60.0);
+  for (int i = 45; i > 0; --i) f.step(f.own.begin_s, i / 60.0);
+  f.stand(2, f.own.begin_s);
+  EXPECT_NEAR(f.coach_s, f.own.begin_s, 0.02);
+  f.off_s.clear();
+  f.play(f.own.begin_s, f.own.end_s);
+  EXPECT_LT(f.median_off_s(), 0.2);
+}
+
+TEST(FollowAlong, starts_over_when_the_shoulders_are_back_at_address) {
+  PuttFromBehind f;
+  f.stand(2, f.own.begin_s);
+  f.play(f.own.begin_s, f.own.end_s);
+  f.stand(2, f.own.begin_s);
+  EXPECT_NEAR(f.coach_s, f.own.begin_s, 0.02);
+}
+
 }  // namespace
 }  // namespace posecoach
