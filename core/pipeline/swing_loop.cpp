@@ -35,6 +35,8 @@ void SwingLoop::arm() {
   if (is_armed_) return;
   is_armed_ = true;
   state_ = LoopState::Armed;
+  // Of a swing that has begun already only the rest would be remembered.
+  finder_.reset();
   message_.clear();
 }
 

@@ -58,6 +58,14 @@ bool has_camera(const WindowModel& model) {
                      [](const CameraEntry& camera) { return camera.source.starts_with("camera:"); });
 }
 
+// What is wrong with a coach is told of the coach's id.
+std::string with_coaches_title(const WindowModel& model, const std::string& message) {
+  for (const CoachChoice& coach : model.coaches)
+    if (!coach.id.empty() && message.starts_with(coach.id + ": "))
+      return coach.title + message.substr(coach.id.size());
+  return message;
+}
+
 void draw_notes(const PanelContext& context, Rect area) {
   Ui& ui = context.ui;
   const Theme& theme = context.theme();
@@ -86,7 +94,8 @@ void draw_notes(const PanelContext& context, Rect area) {
   if (context.model.snapshot && !context.model.snapshot->coach_message.empty())
     note(context.model.snapshot->coach_message, Icon::Information, theme.text);
   if (context.model.snapshot && !context.model.snapshot->swing_message.empty())
-    note(context.model.snapshot->swing_message, Icon::Warning, theme.warning);
+    note(with_coaches_title(context.model, context.model.snapshot->swing_message), Icon::Warning,
+         theme.warning);
 }
 
 void draw_replay_film(const PanelContext& context, const Rect& area) {
@@ -137,7 +146,7 @@ void draw_live_screen(const PanelContext& context, const Rect& area) {
   const double address = std::min(address_advice_height(context, right.width), right.height);
   if (address > 60) draw_address_advice(context, right.take_top(address));
   Rect left = inner.take_left(std::min(kStateWide, inner.width));
-  draw_state_banner(context, left);
+  if (!context.model.snapshot || !context.model.snapshot->measuring) draw_state_banner(context, left);
   if (shows_first_steps(context.model, context.state))
     draw_first_steps(context, left.take_top(std::min(first_steps_height(context, left.width), left.height)));
   Theme dialog = film;

@@ -165,6 +165,26 @@ TEST(SwingLoop, nothing_is_kept_while_it_is_off) {
   EXPECT_TRUE(session.swings().empty());
 }
 
+TEST(SwingLoop, who_arms_it_in_the_middle_of_a_swing_is_answered_after_the_next_one) {
+  Session session({.parts = {{Walk, 2}, {Stand, 3}, {Stroke}, {Walk, 3}, {Stand, 3}, {Stroke}, {Walk, 4}}},
+                  face_on_camera());
+  bool is_armed = false;
+  for (std::size_t i = 0; i < session.film->count(); ++i) {
+    const Frame frame = session.film->frame(i);
+    if (!is_armed && frame.time > MediaTime(std::chrono::milliseconds(5600))) {
+      session.pipeline.arm();
+      is_armed = true;
+    }
+    session.snapshots.push_back(session.pipeline.step(frame).value());
+  }
+  using enum LoopState;
+  EXPECT_EQ(session.states(), (std::vector{Off, Armed, Ready, Swinging, Analyzing, Replay}));
+  ASSERT_EQ(session.swings().size(), 1U);
+  const Analysis& analysis = session.swings()[0]->pair.analysis;
+  EXPECT_GE(analysis.student_takeaway_s, 1.5);
+  EXPECT_FALSE(analysis.student_events.empty());
+}
+
 TEST(SwingLoop, a_replay_is_dismissed_at_once) {
   Session session({.parts = {{Stand, 3}, {Stroke}, {Walk, 6}}}, face_on_camera());
   session.pipeline.arm();
