@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/coaching/body_axes.h"
 #include "core/coaching/film_events.h"
 
 namespace posecoach {
@@ -24,6 +25,9 @@ struct FeatureRow {
 
 constexpr auto kFace = Viewpoint::FaceOn, kLine = Viewpoint::DownTheLine;
 constexpr auto kSwing = StrokeKind::FullSwing, kPutt = StrokeKind::Putt;
+
+// Before the stroke, from which one sees how a golfer stands.
+constexpr double kSideLooked_s = 0.2;
 
 // Of films, only the place of something that folds or breaks is seen, not by how much.
 constexpr bool kNoSize = false;
@@ -138,6 +142,16 @@ constexpr std::array kPhaseRows = {
     PhaseRow{kLine, kPutt, "takeaway", "top", {0, 1, 0.55}},
 };
 
+// A camera at an angle sees most of what the nearer of the two sides sees.
+Viewpoint nearest_side(Viewpoint view, const SwingEvents& found, const JointTrack& track,
+                       const Sight& sight) {
+  if (view != Viewpoint::Between || !sight.direction) return view;
+  const BodyAxes axes = body_axes(track, found.time_of("address") - kSideLooked_s, found.time_of("address"));
+  return std::abs(glm::dot(*sight.direction, axes.left)) > std::abs(glm::dot(*sight.direction, axes.front))
+             ? kLine
+             : kFace;
+}
+
 std::optional<FeatureHabit> row_of(Viewpoint view, StrokeKind kind, std::string_view event, Feature feature) {
   for (const FeatureRow& row : kFeatureRows)
     if (row.view == view && row.kind == kind && row.event == event && row.feature == feature)
@@ -221,7 +235,8 @@ SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, 
   const auto habit = [&](std::string_view event) {
     return slow * event_habit(view, found.kind, event).late_s;
   };
-  const SeenStroke stroke{found, track, sight, view, slow};
+  const Viewpoint side = nearest_side(view, found, track, sight);
+  const SeenStroke stroke{found, track, sight, side, slow};
   const bool is_swing = found.kind == kSwing, is_line = view == kLine && is_swing;
   const auto putt = view == kLine && !is_swing ? putt_down_the_line(stroke) : std::nullopt;
   for (SwingEvent& event : right.events) {
@@ -230,9 +245,9 @@ SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, 
                      : putt                     ? putt->top_s
                                                 : top_in_film(stroke);
     if (event.name == "impact" && putt) event.time_s = putt->impact_s;
-    if (event.name == "toe_up" && is_line) event.time_s = toe_up_down_the_line(stroke).value_or(event.time_s);
-    if (event.name == "finish" && view != Viewpoint::Between)
-      event.time_s = finish_in_film(stroke).value_or(event.time_s);
+    if (event.name == "toe_up" && side == kLine)
+      event.time_s = toe_up_down_the_line(stroke).value_or(event.time_s);
+    if (event.name == "finish") event.time_s = finish_in_film(stroke).value_or(event.time_s);
     event.time_s -= habit(event.name);
   }
   if (is_line)

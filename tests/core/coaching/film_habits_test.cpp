@@ -9,6 +9,8 @@
 
 #include "core/coaching/alignment.h"
 #include "core/coaching/compare.h"
+#include "core/coaching/film_error.h"
+#include "core/coaching/film_events.h"
 #include "tests/core/coaching/strokes.h"
 
 namespace posecoach {
@@ -122,6 +124,28 @@ TEST(FilmHabits, move_events_by_little_and_keep_them_in_order) {
         EXPECT_LT(right.events[k - 1].time_s, right.events[k].time_s) << right.events[k].name;
       }
     }
+  }
+}
+
+TEST(FilmHabits, from_an_angle_tell_events_as_the_nearer_side_does) {
+  const Film film = film_of(0);
+  const auto toe_up_from = [&](double degrees) {
+    const double angle = radians_from_degrees(degrees);
+    const Sight sight{Vec3(std::sin(angle), 0, -std::cos(angle))};
+    const SwingEvents right = events_put_right(film.student_events, film.student, Viewpoint::Between, sight,
+                                               1, film.answered_top_s());
+    const double of_line =
+        toe_up_down_the_line({film.student_events, film.student, sight, Viewpoint::DownTheLine}).value();
+    return std::pair(right.time_of("toe_up"), of_line);
+  };
+  for (const double degrees : {70.0, 110.0}) {
+    const auto [told, of_line] = toe_up_from(degrees);
+    EXPECT_EQ(told, of_line) << degrees;
+  }
+  for (const double degrees : {-20.0, 20.0}) {
+    const auto [told, of_line] = toe_up_from(degrees);
+    EXPECT_EQ(told, film.student_events.time_of("toe_up")) << degrees;
+    EXPECT_NE(told, of_line) << degrees;
   }
 }
 
