@@ -58,9 +58,10 @@ std::optional<PhaseHabit> phase_habit(const Viewpoints& views, StrokeKind kind, 
                                       std::string_view to);
 
 // The events of somebody seen by one camera, put right: the top, which trembling hands blur, as the middle of
-// their turn over a longer time, and every habit taken off. From an angle the whole body knows better than
-// the hands where the top is: `answered_top_s` is where the alignment answers the other's. Unchanged where
-// that would put them out of order, and where every side was seen.
+// their turn over a longer time, others by what this side shows of them (film_events.h; at an angle the
+// nearer side), and every habit taken off. From an angle the whole body knows better than the hands where the
+// top is: `answered_top_s` is where the alignment answers the other's. Unchanged where that would put them
+// out of order, and where every side was seen.
 SwingEvents events_put_right(const SwingEvents& found, const JointTrack& track, Viewpoint view,
                              const Sight& sight, double pace, std::optional<double> answered_top_s = {});
 

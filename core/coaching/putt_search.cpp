@@ -5,6 +5,7 @@
 #include "core/coaching/signal.h"
 #include "core/coaching/stroke_search.h"
 #include "core/coaching/text/refusal_text.h"
+#include "core/coaching/way_fit.h"
 
 namespace posecoach {
 namespace {
@@ -31,15 +32,6 @@ constexpr double kVisibleTime = 0.1205;  // to_turn(kVisibleTime) == 0.01
 
 int samples(double seconds) {
   return static_cast<int>(std::lround(seconds * kHandPathRate));
-}
-
-// How much of a way is done after a part of its time by the least jerk, as people move (Flash and Hogan
-// 1985): from rest to rest, and from rest to a turn, which is swung through without a stop.
-double to_rest(double time) {
-  return time * time * time * (10 + time * (6 * time - 15));
-}
-double to_turn(double time) {
-  return time * time * time * (20 + time * (8 * time - 25)) / 3;
 }
 
 struct Spread {

@@ -9,7 +9,6 @@
 
 #include "core/coaching/alignment.h"
 #include "core/coaching/compare.h"
-#include "core/coaching/film_error.h"
 #include "core/coaching/film_events.h"
 #include "tests/core/coaching/strokes.h"
 
