@@ -11,6 +11,9 @@ namespace posecoach {
 namespace {
 
 constexpr std::string_view kPrefix = "simulated:";
+// The bundled motions begin when the swing does; who practises stands at his ball first, and a program that
+// sees a few poses a second needs that to see him rest.
+constexpr double kStands_s = 1.5;
 
 template <typename Number>
 bool parse_number(std::string_view text, Number& number) {
@@ -94,6 +97,7 @@ Result<void> set_simulated_option(SimulatedStudentOptions& options, std::string_
 Result<SimulatedStudentOptions> simulated_student_from_source(const std::string& source) {
   SimulatedStudentOptions options;
   options.name = source;
+  options.stands_s = kStands_s;
   std::string_view rest = source;
   if (is_simulated_source(rest)) rest.remove_prefix(kPrefix.size());
   const std::size_t question = rest.find('?');

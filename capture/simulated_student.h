@@ -32,7 +32,8 @@ struct SimulatedStudentOptions {
   std::string name = "simulated:swing";  // as the user wrote it
   std::string motion = "swing";          // of the bundled ones
   std::vector<FaultChoice> faults;
-  double length = 1;  // of the stroke: 0.5 goes half as far back and through
+  double length = 1;    // of the stroke: 0.5 goes half as far back and through
+  double stands_s = 0;  // longer at address than the bundled motion
   std::string body_name = "average";
   Skeleton body = make_standard_body({.height_m = 1.80});
   Handedness hand = Handedness::Right;
