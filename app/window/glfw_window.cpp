@@ -140,8 +140,13 @@ void GlfwWindow::listen() {
   });
   glfwSetCursorPosCallback(window_,
                            [](GLFWwindow* window, double, double) { of(window)->was_touched_ = true; });
-  glfwSetMouseButtonCallback(window_,
-                             [](GLFWwindow* window, int, int, int) { of(window)->was_touched_ = true; });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+    of(window)->was_touched_ = true;
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    ButtonTurn turn{action == GLFW_PRESS};
+    glfwGetCursorPos(window, &turn.x, &turn.y);
+    of(window)->button_turns_.push_back(turn);
+  });
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { of(window)->was_touched_ = true; });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window)->was_touched_ = true; });
   glfwSetFramebufferSizeCallback(window_,
@@ -161,7 +166,7 @@ void GlfwWindow::disconnect() {
 
 FrameInput GlfwWindow::next_input(double longest_wait_s, double text_size) {
   was_touched_ = false;
-  if (longest_wait_s > 0 && keys_.empty())
+  if (longest_wait_s > 0 && keys_.empty() && button_turns_.empty())
     glfwWaitEventsTimeout(longest_wait_s);
   else
     glfwPollEvents();
@@ -180,6 +185,15 @@ FrameInput GlfwWindow::next_input(double longest_wait_s, double text_size) {
   input.scale = std::clamp(std::round(4 * wanted) / 4, 0.75, 4.0);
   input.size = Vec2(std::max(1, width_px), std::max(1, height_px)) / input.scale;
   ImGuiIO& io = ImGui::GetIO();
+  // One turn a frame: of two quick clicks within one slow frame Dear ImGui would see one.
+  if (!button_turns_.empty()) {
+    const ButtonTurn turn = button_turns_.front();
+    button_turns_.erase(button_turns_.begin());
+    is_button_down_ = turn.is_down;
+    io.MousePos = ImVec2(static_cast<float>(turn.x), static_cast<float>(turn.y));
+    was_touched_ = true;
+  }
+  io.MouseDown[ImGuiMouseButton_Left] = is_button_down_;
   if (io.MousePos.x > -1e6F && width > 0 && height > 0) {
     io.MousePos.x *= static_cast<float>(input.size.x / width);
     io.MousePos.y *= static_cast<float>(input.size.y / height);

@@ -46,6 +46,12 @@ class GlfwWindow {
   double last_time_s_ = 0;
   int saved_[4] = {0, 0, 1280, 720};  // place and size before full screen
   std::vector<KeyPress> keys_, repeated_;
+  struct ButtonTurn {
+    bool is_down = false;
+    double x = 0, y = 0;
+  };
+  std::vector<ButtonTurn> button_turns_;  // of the mouse's first button
+  bool is_button_down_ = false;
   std::vector<std::string> dropped_;
 };
 

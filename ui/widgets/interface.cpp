@@ -12,6 +12,7 @@
 namespace posecoach {
 namespace {
 
+constexpr float kDoubleClick_s = 0.3F;
 // Latin, Greek, Cyrillic, punctuation, arrows and signs: what names and sentences in the window are made of.
 constexpr ImWchar kTextGlyphs[] = {0x0020, 0x017F, 0x0218, 0x021B, 0x0370, 0x03FF, 0x0400, 0x04FF, 0x1E80,
                                    0x1E85, 0x2010, 0x2027, 0x2030, 0x203A, 0x20AC, 0x20AC, 0x2190, 0x2193,
@@ -90,7 +91,10 @@ std::unique_ptr<Ui> Interface::begin(const FrameInput& input, const Theme& theme
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(static_cast<float>(input.size.x), static_cast<float>(input.size.y));
   io.DisplayFramebufferScale = ImVec2(static_cast<float>(input.scale), static_cast<float>(input.scale));
+  const float last_frame_s = io.DeltaTime;
   io.DeltaTime = static_cast<float>(std::clamp(input.elapsed_s, 1e-4, 1.0));
+  // Presses and releases are seen one a frame: the second of two quick clicks two frames late.
+  io.MouseDoubleClickTime = kDoubleClick_s + last_frame_s + io.DeltaTime;
   ImGui::NewFrame();
   return std::make_unique<Ui>(*state_, theme, views, input);
 }

@@ -262,5 +262,39 @@ TEST_F(WindowUse, mirroring_changes_what_is_shown_only) {
   EXPECT_TRUE(intents_.empty());
 }
 
+TEST(Mouse, two_quick_clicks_are_one_double_click_however_slowly_pictures_are_drawn) {
+  for (const double elapsed_s : {0.016, 0.2, 0.4}) {
+    TestWindow screen(200, 100);
+    screen.elapsed_s = elapsed_s;
+    bool was_double = false;
+    const auto frame = [&] {
+      screen.frame(make_theme(ThemeKind::Dark, Palette::RedGreen), [&](Ui& ui) {
+        was_double = was_double || ui.region("card", {0, 0, 100, 100}).double_clicked;
+      });
+    };
+    screen.move_mouse({50, 50});
+    // A click of another test is long over.
+    for (int i = 0; i < 200; ++i) frame();
+    screen.press_mouse();
+    frame();
+    screen.release_mouse();
+    frame();
+    EXPECT_FALSE(was_double) << elapsed_s;
+    screen.press_mouse();
+    frame();
+    EXPECT_TRUE(was_double) << elapsed_s;
+    screen.release_mouse();
+    frame();
+    // What comes a while later is another click.
+    was_double = false;
+    for (int i = 0; i < 200; ++i) frame();
+    screen.press_mouse();
+    frame();
+    EXPECT_FALSE(was_double) << elapsed_s;
+    screen.release_mouse();
+    frame();
+  }
+}
+
 }  // namespace
 }  // namespace posecoach
