@@ -68,8 +68,7 @@ Result<std::unique_ptr<SimulatedStudent>> SimulatedStudent::make(const Simulated
   if (!(options.length >= 0.1 && options.length <= 2))
     return fail(ErrorCode::InvalidArgument, "a simulated stroke is 0.1 to 2 times as long as usual");
   script->lengthen(options.length);
-  script->stretch("address", "takeaway",
-                  1 + options.stands_s / (script->time_of("takeaway") - script->time_of("address")));
+  script->stand_first(options.stands_s);
   for (const FaultChoice& fault : options.faults)
     if (auto applied = apply_fault(*script, fault); !applied) return tl::unexpected(applied.error());
   Result<AuthoredMotion> authored =

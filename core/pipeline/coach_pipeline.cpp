@@ -90,6 +90,8 @@ class CoachPipeline::Implementation {
   SwingLoop& loop() { return loop_; }
   void set_pace(Pace pace, double speed) { ghost_.set_pace(pace, speed); }
 
+  void start_take() { loop_.start_take(); }
+
   void change_source(std::string source) {
     options_.source = std::move(source);
     estimator_->reset();
@@ -363,6 +365,9 @@ void CoachPipeline::dismiss_replay() {
 }
 void CoachPipeline::set_pace(Pace pace, double speed) {
   implementation_->set_pace(pace, speed);
+}
+void CoachPipeline::start_take() {
+  implementation_->start_take();
 }
 void CoachPipeline::change_source(std::string source) {
   implementation_->change_source(std::move(source));

@@ -61,6 +61,8 @@ class CoachPipeline {
   // Another camera or film: its time starts anew, nothing seen before counts. `source` is what its swings are
   // called.
   void change_source(std::string source);
+  // The same source begins anew: a camera that was plugged in again, a demonstration that is played again.
+  void start_take();
 
  private:
   class Implementation;

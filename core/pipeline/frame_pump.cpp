@@ -22,6 +22,7 @@ bool is_final(const Error& error) {
 
 // What goes on over the reopening of a source.
 struct FramePump::Continuation {
+  std::uint64_t opening = 0;
   std::size_t index_offset = 0;
   Duration time_offset{0};
   std::optional<std::size_t> last_index;  // as handed over
@@ -30,6 +31,7 @@ struct FramePump::Continuation {
 
   // The next opening's first frame follows the last one after the time that has really passed.
   void reopen(Duration at_least) {
+    ++opening;
     if (!last_index) return;
     index_offset = *last_index + 1;
     time_offset = last_time.time_since_epoch() + std::max<Duration>(Clock::now() - last_at, at_least);
@@ -171,11 +173,11 @@ FramePump::PumpEnd FramePump::pump(FrameSource& source, Continuation& continuati
     continuation.last_index = frame.index;
     continuation.last_time = frame.time;
     continuation.last_at = Clock::now();
-    hand_over(std::move(frame), number);
+    hand_over(std::move(frame), number, continuation.opening);
   }
 }
 
-void FramePump::hand_over(Frame frame, std::uint64_t number) {
+void FramePump::hand_over(Frame frame, std::uint64_t number, std::uint64_t opening) {
   const Clock::time_point now = Clock::now();
   {
     const std::lock_guard lock(tap_mutex_);
@@ -192,7 +194,7 @@ void FramePump::hand_over(Frame frame, std::uint64_t number) {
   }
   const auto arrived_at =
       frame.captured_at ? std::chrono::time_point_cast<Clock::duration>(*frame.captured_at) : now;
-  sink_({std::move(frame), number, arrived_at});
+  sink_({std::move(frame), number, opening, arrived_at});
 }
 
 }  // namespace posecoach

@@ -34,7 +34,9 @@ struct SourceChoice {
 
 struct PumpedFrame {
   Frame frame;
-  std::uint64_t choice = 0;                          // rises with every set_source
+  std::uint64_t choice = 0;  // rises with every set_source
+  // Rises with every opening: of a camera that was plugged in again, of a demonstration that plays again.
+  std::uint64_t opening = 0;
   std::chrono::steady_clock::time_point arrived_at;  // capture where the source tells it, else hand-over
 };
 
@@ -70,7 +72,7 @@ class FramePump {
   void serve(const SourceChoice& choice, std::uint64_t number, const std::stop_token& stop);
   PumpEnd pump(FrameSource& source, Continuation& continuation, std::uint64_t number,
                const std::stop_token& stop, Error& error);
-  void hand_over(Frame frame, std::uint64_t number);
+  void hand_over(Frame frame, std::uint64_t number, std::uint64_t opening);
   void set_state(SourceState state, std::string message = {});
   // Returns false when stopped meanwhile.
   bool sleep_until(std::chrono::steady_clock::time_point time, const std::stop_token& stop);

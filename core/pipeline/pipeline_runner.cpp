@@ -97,7 +97,11 @@ class PipelineRunner::Implementation {
   void step(const PumpedFrame& frame) {
     const PumpStatus status = pump_.status();
     if (frame.choice != status.choice) return;  // of a source that was given up meanwhile
-    if (frame.choice != choice_) change_source(status);
+    if (frame.choice != choice_)
+      change_source(status);
+    else if (frame.opening != opening_)
+      pipeline_.start_take();
+    opening_ = frame.opening;
     Result<CoachSnapshot> snapshot = pipeline_.step(frame.frame);
     const Clock::time_point now = Clock::now();
     pose_rate_.count(now);
@@ -169,7 +173,7 @@ class PipelineRunner::Implementation {
   RateMeter capture_rate_;
 
   // Of the pose thread alone.
-  std::uint64_t choice_ = 0, number_ = 0, overtaken_before_ = 0;
+  std::uint64_t choice_ = 0, opening_ = 0, number_ = 0, overtaken_before_ = 0;
   RateMeter pose_rate_;
   LatencyMeter latency_;
 

@@ -73,6 +73,10 @@ void SwingLoop::step(const Frame& frame, const PoseObservation& seen,
   const std::optional<FoundSwing> found =
       student ? finder_.step(frame.time, *student, sight) : std::optional<FoundSwing>();
   if (!is_armed_) return;
+  if (std::exchange(is_new_take_, false)) {
+    if (found_) begin_analysis(comparison, source);
+    memory_.clear();
+  }
   memory_.add(frame, seen);
   take_answer(frame.time);
   if (found) found_ = found;

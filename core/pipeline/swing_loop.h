@@ -37,6 +37,8 @@ class SwingLoop {
   // Another source, another time.
   void forget();
 
+  // What comes does not go on from what was seen: no swing holds pictures of both.
+  void start_take() { is_new_take_ = true; }
   // `student` is nothing while nobody is seen.
   void step(const Frame& frame, const PoseObservation& seen, const std::optional<JointMoment>& student,
             const Sight& sight, const SwingComparison& comparison, const std::string& source);
@@ -56,7 +58,7 @@ class SwingLoop {
   BackgroundWork& work_;
   SwingMemory memory_;
   double replay_s_;
-  bool is_armed_ = false;
+  bool is_armed_ = false, is_new_take_ = false;
   SwingFinder finder_;
   std::optional<FoundSwing> found_;  // waiting for the last frames that belong to it
   std::optional<MediaTime> nobody_since_;

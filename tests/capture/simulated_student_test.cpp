@@ -111,6 +111,15 @@ TEST(SimulatedSource, reads_all_settings) {
   EXPECT_NEAR(options->body.leg_length(), 0.491 * 1.96, 0.01);
 }
 
+TEST(SimulatedSource, stands_at_the_ball_before_the_stroke) {
+  for (const char* source : {"simulated:swing?fps=20", "simulated:putt?fps=20"}) {
+    const auto student = make(source);
+    EXPECT_GT(student->authored().time_of("takeaway"), 2) << source;
+    const LandmarkArray<Vec3> first = student->landmarks(0), later = student->landmarks(36);
+    for (std::size_t i = 0; i < kLandmarkCount; ++i) EXPECT_LT(glm::distance(first[i], later[i]), 1e-9);
+  }
+}
+
 TEST(SimulatedSource, says_which_setting_is_wrong) {
   for (const char* source :
        {"simulated:", "simulated:chip", "simulated:swing?fault=shank", "simulated:swing?body=nobody",

@@ -68,6 +68,12 @@ void GolfScript::stretch(std::string_view from, std::string_view to, double fact
   rebuild();
 }
 
+void GolfScript::stand_first(double seconds) {
+  POSECOACH_ASSERT(seconds >= 0);
+  for (GolfInstant& instant : instants_) instant.time_s += seconds;
+  rebuild();
+}
+
 void GolfScript::lengthen(double factor) {
   POSECOACH_ASSERT(factor > 0);
   const double address = time_of("address");

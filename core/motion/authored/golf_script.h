@@ -62,6 +62,8 @@ class GolfScript {
   void add(GolfChannel channel, std::span<const Offset> offsets);
   // Makes the time from one instant to another `factor` times as long; everything after follows.
   void stretch(std::string_view from, std::string_view to, double factor);
+  // Stands still for so long before everything else.
+  void stand_first(double seconds);
   // Makes the written motion `factor` times as long: everything moves that part of its way from the address.
   // Times stay, as they do for golfers.
   void lengthen(double factor);

@@ -185,6 +185,26 @@ TEST(SwingLoop, who_arms_it_in_the_middle_of_a_swing_is_answered_after_the_next_
   EXPECT_FALSE(analysis.student_events.empty());
 }
 
+TEST(SwingLoop, a_demonstration_that_plays_again_is_answered_as_if_there_had_been_none_before) {
+  // Who has finished stands at his ball a moment later; no golfer does.
+  Session session({.parts = {{Stand, 3}, {Stroke}, {Finish, 2}, {Stand, 1.2}, {Stroke}, {Finish, 3}}},
+                  face_on_camera());
+  session.pipeline.arm();
+  const double again_s = session.film->stroke_begin_s[1] - 1.2;
+  for (std::size_t i = 0; i < session.film->count(); ++i) {
+    const Frame frame = session.film->frame(i);
+    if (i > 0 && to_seconds(session.film->times[i - 1]) < again_s && to_seconds(frame.time) >= again_s)
+      session.pipeline.start_take();
+    session.snapshots.push_back(session.pipeline.step(frame).value());
+  }
+  ASSERT_EQ(session.swings().size(), 2U);
+  for (const auto& swing : session.swings()) {
+    EXPECT_EQ(swing->pair.analysis.student_events.size(), 8U);
+    EXPECT_GT(swing->pair.analysis.score.percent, 95) << "the coach's own motion";
+    EXPECT_LT(swing->pair.analysis.student_takeaway_s, 2.6);
+  }
+}
+
 TEST(SwingLoop, a_replay_is_dismissed_at_once) {
   Session session({.parts = {{Stand, 3}, {Stroke}, {Walk, 6}}}, face_on_camera());
   session.pipeline.arm();

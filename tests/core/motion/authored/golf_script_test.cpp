@@ -35,6 +35,21 @@ TEST(GolfScript, stretching_a_part_moves_what_follows) {
   EXPECT_NEAR(script.pose(2.0)[GolfChannel::PelvisTurn], -40, 1e-12);
 }
 
+TEST(GolfScript, standing_first_puts_everything_off_and_changes_nothing) {
+  for (const char* name : {"swing", "putt"}) {
+    const GolfScript at_once = bundled_script(name).value();
+    GolfScript later = at_once;
+    later.stand_first(1.5);
+    for (const GolfInstant& instant : at_once.instants())
+      EXPECT_NEAR(later.time_of(instant.name), instant.time_s + 1.5, 1e-12) << instant.name;
+    for (double time_s = 0; time_s < at_once.duration_s(); time_s += 0.05) {
+      const GolfPose one = at_once.pose(time_s), other = later.pose(time_s + 1.5);
+      for (std::size_t k = 0; k < kGolfChannelCount; ++k) EXPECT_NEAR(one.at(k), other.at(k), 1e-9) << time_s;
+      EXPECT_EQ(later.pose(std::min(time_s, 1.5)), at_once.pose(0)) << time_s;
+    }
+  }
+}
+
 TEST(GolfScript, a_shorter_stroke_goes_a_part_of_its_way_in_the_same_time) {
   const GolfScript whole = bundled_script("putt").value();
   GolfScript half = whole;
