@@ -3,43 +3,8 @@
 #   window_end_to_end.sh PROGRAM FOLDER
 # FOLDER gets a screenshot of each step. Exit 77 means skipped, with the reason on standard output.
 set -u
-program=$1
-pictures=$2
+. "$(dirname "$0")/driving.sh"
 
-for tool in Xvfb xdotool import; do
-  command -v "$tool" > /dev/null || { echo "skipped: $tool is not installed"; exit 77; }
-done
-
-mkdir -p "$pictures"
-home=$(mktemp -d)
-xvfb=
-window_program=
-clean_up() {
-  [ -n "$window_program" ] && kill "$window_program" 2> /dev/null
-  [ -n "$xvfb" ] && kill "$xvfb" 2> /dev/null
-  rm -rf "$home"
-}
-trap clean_up EXIT
-
-Xvfb -displayfd 3 -screen 0 1280x720x24 -nolisten tcp 3> "$home/display" 2> /dev/null &
-xvfb=$!
-for _ in $(seq 100); do [ -s "$home/display" ] && break; sleep 0.1; done
-[ -s "$home/display" ] || { echo "skipped: Xvfb does not start"; exit 77; }
-export DISPLAY=:$(cat "$home/display")
-export XDG_CONFIG_HOME=$home/config XDG_STATE_HOME=$home/state XDG_CACHE_HOME=$home/cache
-# Pose networks that scripts/fetch-models put into the user's own folder are still found.
-if [ -z "${POSECOACH_MODELS:-}" ]; then
-  models=${XDG_DATA_HOME:-$HOME/.local/share}/virtual-pose-coach/models
-  [ -d "$models" ] && export POSECOACH_MODELS=$models
-fi
-export XDG_DATA_HOME=$home/data POSECOACH_LIBRARY=$home/films/swings
-# Nothing may be written here.
-export HOME=$home/nobody
-mkdir "$HOME"
-
-log=$pictures/program.log
-: > "$log"
-mkdir -p "$home/films"
 "$program" simulate --motion swing -o "$home/films/film.mp4" > "$log" 2>&1 || { cat "$log"; exit 1; }
 start() {
   "$program" live --source simulated:swing >> "$log" 2>&1 &
@@ -47,56 +12,15 @@ start() {
 }
 start
 
-fail() {
-  echo "FAILED: $*"
-  shot failed
-  cat "$log"
-  exit 1
-}
-# A picture of the step; and no step has a socket of a network.
-shot() {
-  import -window root "$pictures/$1.png" 2> /dev/null
-  local inode
-  for inode in $(find "/proc/$window_program/fd" -lname "socket:*" -printf "%l\n" 2> /dev/null | tr -cd "0-9\n"); do
-    if grep -qs " $inode " "/proc/$window_program/net/tcp" "/proc/$window_program/net/tcp6" \
-      "/proc/$window_program/net/udp" "/proc/$window_program/net/udp6" "/proc/$window_program/net/raw"; then
-      echo "FAILED: a network socket at step $1"
-      exit 1
-    fi
-  done
-}
-# wait_for SECONDS WHAT COMMAND...: until the command succeeds.
-wait_for() {
-  local seconds=$1 what=$2
-  shift 2
-  for _ in $(seq $((seconds * 5))); do
-    "$@" > /dev/null 2>&1 && return 0
-    if ! kill -0 "$window_program" 2> /dev/null; then
-      grep -q "network\|model" "$log" && { echo "skipped: $(tail -1 "$log")"; exit 77; }
-      fail "the program ended while waiting for $what"
-    fi
-    sleep 0.2
-  done
-  fail "no $what within $seconds s"
-}
-is_shown() { xdotool search --name "Virtual Pose Coach"; }
-# More than half of the live picture's upper part is the simulated student's blue sky.
-has_picture() { [ "$(import -window root -crop 300x60+500+60 -resize 1x1! -depth 8 rgb:- | od -An -v -tx1 | tr -d " " | cut -c5-6)" \> "90" ]; }
 swings() { find "$POSECOACH_LIBRARY" -path "*/Trash" -prune -o -path "*/.unfinished" -prune -o -name swing.json -print 2> /dev/null | wc -l; }
 has_swings() { [ "$(swings)" -ge "$1" ]; }
-press() { xdotool key --clearmodifiers "$@"; sleep 0.6; }
-# tabs COUNT: so many places further.
-tabs() { for _ in $(seq "$1"); do xdotool key --clearmodifiers Tab; sleep 0.25; done; sleep 0.4; }
 settings=$XDG_CONFIG_HOME/virtual-pose-coach/settings.json
 # The file of that name of the one kept swing.
 of_swing() { find "$POSECOACH_LIBRARY" -path "*/Trash" -prune -o -path "*/.unfinished" -prune -o -name "$1" -print 2> /dev/null | head -1; }
 has_words() { grep -q "$2" "$(of_swing "$1")"; }
 has_no_words() { [ -n "$(of_swing "$1")" ] && ! grep -q "$2" "$(of_swing "$1")"; }
 
-wait_for 60 "window" is_shown
-xdotool search --name "Virtual Pose Coach" windowfocus 2> /dev/null
-# Out of the way: nothing is pressed with it.
-xdotool mousemove 1279 719
+take_window
 wait_for 60 "picture" has_picture
 shot 01_live
 
@@ -179,8 +103,7 @@ before=$(swings)
 kill -KILL "$window_program"
 wait "$window_program" 2> /dev/null
 start
-wait_for 60 "window" is_shown
-xdotool search --name "Virtual Pose Coach" windowfocus 2> /dev/null
+take_window
 sleep 4; shot 21_left_over
 [ "$(swings)" -eq "$before" ] || fail "what was left over was kept without being asked for"
 is_recovered() { xdotool key Return; [ "$(swings)" -gt "$before" ]; }
@@ -188,12 +111,5 @@ wait_for 60 "recovered recording" is_recovered
 sleep 1; shot 22_recovered
 press ctrl+3; sleep 1; shot 23_library
 
-press ctrl+q
-for _ in $(seq 100); do kill -0 "$window_program" 2> /dev/null || break; sleep 0.1; done
-kill -0 "$window_program" 2> /dev/null && fail "the program does not quit"
-wait "$window_program"
-status=$?
-window_program=
-[ "$status" -eq 0 ] || fail "exit code $status"
-[ -z "$(find "$HOME" -type f)" ] || fail "files outside the XDG folders: $(find "$HOME" -type f)"
+quit_window
 echo "the whole loop was driven by keyboard; screenshots are in $pictures"
